@@ -1,0 +1,39 @@
+# enfilade_library(FOLDER USES folders... PUBLIC targets... PRIVATE targets...)
+# One static library a folder, built of every .cpp in it, alias enfilade::FOLDER.
+# USES names the folders that it may include from; PUBLIC and PRIVATE name outside libraries.
+function(enfilade_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+  # The same pixels on every build: no fused multiply-add where the source has none.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+function(enfilade_library folder)
+  cmake_parse_arguments(ARG "" "" "USES;PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")  # a program of its own
+  if(NOT sources)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp "")
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+  endif()
+  add_library(enfilade_${folder} STATIC ${sources})
+  add_library(enfilade::${folder} ALIAS enfilade_${folder})
+  enfilade_compile_options(enfilade_${folder})
+  target_include_directories(enfilade_${folder} PUBLIC ${PROJECT_SOURCE_DIR})
+  list(TRANSFORM ARG_USES PREPEND enfilade::)
+  target_link_libraries(enfilade_${folder} PUBLIC ${ARG_USES} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# enfilade_tests(FOLDER libraries...): tests/FOLDER/*_test.cpp as the program FOLDER_tests.
+function(enfilade_tests folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  include(GoogleTest)
+  add_executable(${folder}_tests ${sources})
+  enfilade_compile_options(${folder}_tests)
+  target_link_libraries(${folder}_tests PRIVATE ${ARGN} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${folder}_tests PRIVATE ENFILADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${folder}_tests DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction()

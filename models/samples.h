@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/building.h"
+
+namespace enfilade {
+
+/// Names of the built-in buildings.
+std::vector<std::string> sampleNames();
+
+/// Raises a built-in building from its floor plan; about `triangles` of them (50,000…10,000,000; 0:
+/// the sample's own number). Carries the true cells and portals by name (NAME-room, NAME-portal).
+/// The same bytes run after run. Throws Error (kUsage) for an unknown name, listing those there
+/// are.
+Building raiseSample(const std::string& name, std::uint64_t triangles = 0);
+
+}  // namespace enfilade

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "portals/cell_graph.h"
+#include "portals/cell_grid.h"
+#include "scene/building.h"
+
+namespace enfilade {
+
+inline constexpr int kHouseFormatVersion = 1;
+
+enum class ObjectRole : std::uint8_t {
+  kFixed,
+  kDoor,   ///< openable: not an obstacle, not drawn while walking
+  kGlass,  ///< a window that can be seen through: drawn, but no obstacle to sight
+};
+
+/// What a house says of where it comes from.
+struct HouseInfo {
+  std::string tool_version;
+  std::string model_name;
+  std::string model_sha256;
+  std::map<std::string, std::string>
+      parameters;  ///< every parameter used, as text, units in the name
+  std::map<std::string, double>
+      statistics;                ///< counts, sizes, seconds of nothing: same bytes run after run
+  std::vector<std::string> log;  ///< what was cut, merged, dropped, and why
+};
+
+/// A preprocessed building, all but its images: what playback needs, and nothing else.
+struct House {
+  HouseInfo info;
+  CellGraph graph;
+  CellGrid grid;
+  Building building;                     ///< each object lies in one set of cells
+  std::vector<ObjectRole> object_roles;  ///< one an object
+  std::vector<std::vector<CellId>>
+      object_cells;              ///< one an object, increasing: the cells that can see it
+  float switch_distance = 1.5f;  ///< [m] > 0: nearer to a portal than this: geometry
+  float eye_height = 1.6f;       ///< [m] above the floor
+};
+
+/// Names of the files inside a house folder.
+std::string houseJsonFile(const std::string& folder);
+std::string geometryFile(const std::string& folder);
+std::string cellGridFile(const std::string& folder);
+/// folder/images/portal-PPPP-front or -back: what is seen by a viewer on that side.
+std::string portalImageFolder(const std::string& folder, PortalId portal, bool from_front);
+
+/// Whether `path` is a folder with a house.json.
+bool isHouse(const std::string& path);
+
+/// Writes house.json, geometry.glb and cells.grid; house.json last, so that a folder without one is
+/// no house. The same bytes for the same house.  Throws Error (kMachine).
+void writeHouse(const std::string& folder, const House& house);
+
+/// Throws Error (kBadInput) that names the file and the reason: not a house, another format
+/// version, cut short, a checksum that does not match, ids out of range.
+House readHouse(const std::string& folder);
+
+}  // namespace enfilade

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene/building.h"
+#include "scene/camera.h"
+#include "scene/image.h"
+
+namespace enfilade {
+
+/// What a ray met.
+struct RayHit {
+  float distance = 0;              ///< [m] along the unit direction; < 0: nothing
+  std::uint32_t object = kNone;    ///< index in Building::objects
+  std::uint32_t triangle = kNone;  ///< of the object's mesh
+};
+
+/// Primary rays through a building by Embree, shaded like the renderer (textures trilinear, masks
+/// tested, blended material blended): what a user without a GPU would pick today.  The same pixels
+/// for any number of threads.
+class RayCaster {
+ public:
+  /// `hidden`: one flag an object (not 0: hidden), or empty; hidden objects are not there (doors
+  /// while walking).  Keeps a reference to `building`.  Throws Error (kMachine).
+  RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads);
+  ~RayCaster();
+  RayCaster(const RayCaster&) = delete;
+  RayCaster& operator=(const RayCaster&) = delete;
+
+  /// A picture of `width` × `height` rays through the pixel centres; the sky where nothing is met.
+  void render(const Camera& camera, int width, int height, Image& out) const;
+
+  /// The first surface that a ray meets within `max_distance` beyond `min_distance`.  Masked-out
+  /// texels and, when `through_blended`, blended material are passed.  Back faces of single-sided
+  /// material are passed, as they are not drawn.
+  RayHit cast(const glm::vec3& origin, const glm::vec3& unit_direction, float min_distance,
+              float max_distance, bool through_blended) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace enfilade

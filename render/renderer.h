@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/gl_context.h"
+#include "scene/building.h"
+#include "scene/camera.h"
+#include "scene/image.h"
+
+namespace enfilade {
+
+/// The colour where nothing is drawn: a pale sky, sRGB.
+inline constexpr std::uint8_t kSkyColor[4] = {178, 205, 235, 255};
+
+/// A picture and the depth buffer behind it, row 0 on top.
+struct DepthPicture {
+  Image color;
+  std::vector<float> depth;  ///< OpenGL depth 0…1, one a pixel, 1 where nothing is
+};
+
+/// A textured convex polygon whose colour is read from a picture the size of the frame, at each
+/// pixel's own place: how a warped image stands in a portal.
+struct ScreenPolygon {
+  std::vector<glm::vec3> polygon;  ///< world [m]
+};
+
+struct DrawCounts {
+  std::size_t triangles = 0;
+  std::size_t draw_calls = 0;
+};
+
+/// Draws a building's objects by OpenGL into a framebuffer of its own.
+/// Colour = base colour × texture × vertex colour × a sky and sun term of the normal, none of which
+/// depends on the viewpoint (back faces of double-sided material are lit by their reversed normal).
+/// Masked material is tested, blended material drawn last, farthest object first.  Opaque objects
+/// are drawn in increasing order, so that a subset of the objects draws the same pixels wherever it
+/// holds all that is seen. Row 0 of what it returns is the top row.
+class Renderer {
+ public:
+  /// Uploads the building.  Both must outlive the renderer.  Throws Error (kMachine).
+  Renderer(GlContext& context, const Building& building);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Starts a frame of this size with the sky.  Throws Error (kMachine) if the size is more than
+  /// the machine can.
+  void begin(int width, int height);
+
+  /// Draws `objects` (increasing).  The view's eye orders blended objects.
+  DrawCounts draw(std::span<const std::uint32_t> objects, const View& view);
+
+  /// Draws `polygons` at their own depth, colour by pixel position from `picture` (the frame's
+  /// size).  Where the picture's alpha is 0 the pixel stays as it is.  Call it before draw(), so
+  /// that what stands in front hides it. To keep uploads small only the rows and columns in
+  /// `region` (x0, y0, x1, y1, top row 0) are read from `picture`.
+  void drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
+                          const glm::ivec4& region, const glm::mat4& clip_from_world);
+
+  /// Draws one convex polygon with `texture` mapped on it: `texcoords` one a corner, v = 0 is the
+  /// top row.
+  void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
+                           const Image& texture, const glm::mat4& clip_from_world);
+
+  /// Waits until all is drawn.
+  void finish();
+
+  void readColor(Image& out);  ///< resized to the frame; never allocates when the size is the same
+  void readDepth(std::vector<float>& out);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace enfilade
