@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ibr/image_parameters.h"
+#include "portals/house.h"
+#include "preprocess/cell_proposal.h"
+#include "preprocess/progress.h"
+
+namespace enfilade {
+
+/// Everything that preprocessing can be told.
+struct PreprocessParameters {
+  std::string doors;  ///< name patterns of openable doors, joined by commas; empty: none
+  std::string
+      windows;  ///< name patterns of windows that can be seen through; blended material always is
+  bool automatic = false;  ///< find cells even where the author named them
+  bool images = true;      ///< bake the portals' images
+  CellParameters cells;
+  ImageParameters image;
+  float eye_height = 1.6f;  ///< [m] [0.2…3] above the floor
+  int rays_per_cell =
+      200000;       ///< [≥ 0] sight lines sampled from every cell to see what its portals show
+  int threads = 0;  ///< [≥ 0] 0: as many as the machine has
+};
+
+/// How long a stage took.
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+struct PreprocessResult {
+  House house;
+  std::vector<StageTime> stages;
+  std::size_t images = 0;  ///< portal sides with an image
+  std::uint64_t image_bytes = 0;
+};
+
+/// Reads the model at `model_file`, finds its cells and portals, shares its geometry out to the
+/// cells, bakes the portals' images and writes the house `folder`; house.json last, so that what is
+/// interrupted is no house.  An old house there is replaced; a folder that holds something else is
+/// refused.  The same bytes for the same model and parameters, whatever the threads. Throws Error:
+/// kBadInput for the model, kMachine for the folder or the machine.
+PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
+                                    const PreprocessParameters& parameters,
+                                    const ProgressSink& progress = {});
+
+}  // namespace enfilade
