@@ -31,8 +31,8 @@ struct Portal {
   bool two_way = true;  ///< false: seen through from the front cell only
   bool active = true;   ///< false: shut, nothing is seen through it
 
-  glm::vec3 center() const;
-  float area() const;
+  glm::vec3 center() const;  ///< centre of area
+  float area() const;        ///< [m²]
   CellId cellBehind(bool from_front) const { return from_front ? back : front; }
 };
 
@@ -68,7 +68,7 @@ void linkCells(CellGraph& graph);
 
 /// What is wrong with the graph, a line each; empty if nothing is: cell ids out of range, polygons
 /// that are not planar (1 cm), not convex, degenerate or wound against their plane, portals with
-/// the same cell on both sides, cells without a portal.
+/// the same cell on both sides, cells but the exterior without a portal.
 std::vector<std::string> diagnose(const CellGraph& graph);
 
 }  // namespace enfilade

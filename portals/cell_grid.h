@@ -25,7 +25,8 @@ class CellGrid {
   };
 
   CellGrid() = default;
-  /// `labels` is dense, index (x · size.z + z) · size.y + y.  Sizes 1…65535.
+  /// `labels` is dense, index (x · size.z + z) · size.y + y.  Throws Error (kBadInput) unless sizes
+  /// are 1…65535 and the voxel edge is positive.
   CellGrid(const glm::vec3& origin, float voxel, const glm::ivec3& size,
            std::span<const Label> labels);
   /// From runs as stored: `first` has size.x · size.z + 1 entries into `runs`.  Checked: throws
@@ -60,7 +61,8 @@ struct CellLocation {
 };
 
 /// The cell at `p`.  In a voxel that a portal crosses, the side of the nearest portal's plane
-/// decides.
+/// decides.  In something solid: the cell of the nearest labelled voxel, one that is reached
+/// without passing a portal or its frame if there is one about as near.
 CellLocation locate(const CellGraph& graph, const CellGrid& grid, const glm::vec3& p);
 
 }  // namespace enfilade
