@@ -1,5 +1,3 @@
-// Akenine-Möller, Fast 3D Triangle-Box Overlap Testing, 2001.  The thirteen separating axes are
-// turned into linear bounds on y, so that a column of voxels is filled at once.
 #include "preprocess/voxel_grid.h"
 
 #include <tbb/parallel_for.h>
@@ -8,8 +6,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "preprocess/triangle_columns.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -32,81 +30,13 @@ struct VoxelTriangle {
   std::uint8_t bit = 0;
 };
 
-/// lo ≤ axis · centre ≤ hi for the centres of all boxes that this axis does not separate.
-struct AxisBounds {
-  glm::dvec3 axis{0};
-  double lo = 0, hi = 0;
-};
-
-AxisBounds boundsAlong(const glm::dvec3& axis, const VoxelTriangle& triangle) {
-  const glm::dvec3 d(glm::dot(axis, triangle.corners[0]), glm::dot(axis, triangle.corners[1]),
-                     glm::dot(axis, triangle.corners[2]));
-  const double reach = (0.5 + kEpsilon) * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
-  return {axis, std::min({d.x, d.y, d.z}) - reach, std::max({d.x, d.y, d.z}) + reach};
-}
-
-/// Every axis but the box's own x and z, which bound the loops over columns.
-std::array<AxisBounds, 11> separatingAxes(const VoxelTriangle& triangle) {
-  const auto& c = triangle.corners;
-  const std::array<glm::dvec3, 3> edges{c[1] - c[0], c[2] - c[1], c[0] - c[2]};
-  std::array<AxisBounds, 11> bounds;
-  bounds[0] = boundsAlong({0, 1, 0}, triangle);
-  bounds[1] = boundsAlong(glm::cross(edges[0], edges[1]), triangle);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const glm::dvec3& e = edges[i];
-    bounds[2 + 3 * i] = boundsAlong({0, e.z, -e.y}, triangle);
-    bounds[3 + 3 * i] = boundsAlong({-e.z, 0, e.x}, triangle);
-    bounds[4 + 3 * i] = boundsAlong({e.y, -e.x, 0}, triangle);
-  }
-  return bounds;
-}
-
-/// The range of voxel indices whose centres lie in [lo, hi].
-int firstIndex(double lo) { return static_cast<int>(std::ceil(lo - 0.5)); }
-int lastIndex(double hi) { return static_cast<int>(std::floor(hi - 0.5)); }
-
-struct Range {
-  double lo = -std::numeric_limits<double>::infinity();
-  double hi = std::numeric_limits<double>::infinity();
-};
-
-/// The y of the centres of the boxes in column (x, z) that touch the triangle.
-Range columnRange(const std::array<AxisBounds, 11>& bounds, double x, double z) {
-  Range range;
-  for (const AxisBounds& b : bounds) {
-    const double rest = b.axis.x * x + b.axis.z * z;
-    if (b.axis.y > 0) {
-      range.lo = std::max(range.lo, (b.lo - rest) / b.axis.y);
-      range.hi = std::min(range.hi, (b.hi - rest) / b.axis.y);
-    } else if (b.axis.y < 0) {
-      range.lo = std::max(range.lo, (b.hi - rest) / b.axis.y);
-      range.hi = std::min(range.hi, (b.lo - rest) / b.axis.y);
-    } else if (rest < b.lo || rest > b.hi) {
-      return {1, 0};
-    }
-  }
-  return range;
-}
-
 /// Marks the voxels of `triangle` with first_x ≤ x < end_x.
 void fill(const VoxelTriangle& triangle, int first_x, int end_x, VoxelGrid& grid) {
-  const AxisBounds along_x = boundsAlong({1, 0, 0}, triangle);
-  const int x0 = std::max(first_x, firstIndex(along_x.lo));
-  const int x1 = std::min(end_x - 1, lastIndex(along_x.hi));
-  if (x0 > x1) return;
-  const AxisBounds along_z = boundsAlong({0, 0, 1}, triangle);
-  const int z0 = std::max(0, firstIndex(along_z.lo));
-  const int z1 = std::min(grid.size.z - 1, lastIndex(along_z.hi));
-  const auto bounds = separatingAxes(triangle);
-  for (int x = x0; x <= x1; ++x) {
-    for (int z = z0; z <= z1; ++z) {
-      const Range range = columnRange(bounds, x + 0.5, z + 0.5);
-      if (range.lo > range.hi) continue;
-      const int y0 = std::max(0, firstIndex(range.lo));
-      const int y1 = std::min(grid.size.y - 1, lastIndex(range.hi));
-      for (int y = y0; y <= y1; ++y) grid.bits[grid.index(x, y, z)] |= triangle.bit;
-    }
-  }
+  TriangleColumns(triangle.corners, kEpsilon)
+      .forEach({first_x, 0, 0}, {end_x, grid.size.y, grid.size.z},
+               [&](int x, int z, int y0, int y1) {
+                 for (int y = y0; y <= y1; ++y) grid.bits[grid.index(x, y, z)] |= triangle.bit;
+               });
 }
 
 std::uint8_t bitOf(const Building& building, const Object& object, ObjectRole role) {

@@ -1,0 +1,307 @@
+#include "preprocess/cut_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "preprocess/free_components.h"
+#include "preprocess/portal_polygon.h"
+
+namespace enfilade {
+
+namespace {
+
+constexpr std::uint16_t kNobody = CellProposal::kNobody;
+// How far a cut reaches beyond its polygon, so that it closes against the voxels of the opening's
+// edges [voxels].
+constexpr float kCutGrowth = 1.0f;
+// Smaller free spaces that no one proposed make no cell [m³].
+constexpr float kLeastNewCell = 0.5f;
+
+std::vector<std::uint8_t> cutVoxels(const VoxelGrid& grid, const std::vector<Portal>& portals) {
+  std::vector<std::uint8_t> cut(grid.bits.size(), 0);
+  for (const Portal& portal : portals) {
+    const auto grown = growPolygon(portal.polygon, portal.plane, kCutGrowth * grid.voxel);
+    forEachTouchedVoxel(grown, portal.plane, grid,
+                        [&](const glm::ivec3& v) { cut[grid.index(v.x, v.y, v.z)] = 1; });
+  }
+  return cut;
+}
+
+// How many voxels of each proposed cell a component holds.
+using OwnerCounts = std::map<std::uint16_t, std::size_t>;
+
+struct ComponentFacts {
+  std::vector<OwnerCounts> owners;      // one a component
+  std::vector<std::size_t> volume;      // [voxels]
+  std::vector<std::uint8_t> at_border;  // reaches the edge of the grid: outdoors
+  std::vector<std::size_t> owned;       // voxels of each proposed cell in all
+};
+
+ComponentFacts gatherFacts(const VoxelGrid& grid, const FreeComponents& components,
+                           const CellProposal& proposal) {
+  ComponentFacts facts;
+  facts.owners.resize(components.count);
+  facts.volume.resize(components.count);
+  facts.at_border.resize(components.count);
+  facts.owned.resize(proposal.cell_names.size());
+  for (const FreeComponents::Run& run : components.runs) {
+    facts.volume[run.component] += static_cast<std::size_t>(run.end_y - run.begin_y);
+    if (run.x == 0 || run.z == 0 || run.x == grid.size.x - 1 || run.z == grid.size.z - 1 ||
+        run.end_y == grid.size.y) {
+      facts.at_border[run.component] = 1;
+    }
+    for (int y = run.begin_y; y < run.end_y; ++y) {
+      const std::uint16_t owner = proposal.owner[grid.index(run.x, y, run.z)];
+      if (owner == kNobody) continue;
+      ++facts.owners[run.component][owner];
+      ++facts.owned[owner];
+    }
+  }
+  return facts;
+}
+
+// The proposed cell that each component belongs to (kNobody: none), proposed cells that leak into
+// each other made one.
+struct Assignment {
+  std::vector<std::uint16_t> cell_of_component;
+  std::vector<std::string> log;
+};
+
+std::uint16_t strongestOwner(const OwnerCounts& owners) {
+  std::uint16_t best = kNobody;
+  std::size_t most = 0;
+  for (const auto& [owner, count] : owners) {
+    if (count > most) std::tie(best, most) = std::pair(owner, count);
+  }
+  return best;
+}
+
+Assignment assignComponents(const ComponentFacts& facts, const CellProposal& proposal) {
+  std::vector<std::uint16_t> merged(proposal.cell_names.size());
+  std::iota(merged.begin(), merged.end(), std::uint16_t{0});
+  const auto find = [&](std::uint16_t c) {
+    while (merged[c] != c) c = merged[c];
+    return c;
+  };
+  Assignment out;
+  out.cell_of_component.assign(facts.owners.size(), kNobody);
+  for (std::size_t c = 0; c < facts.owners.size(); ++c) {
+    const std::uint16_t main =
+        facts.at_border[c] ? std::uint16_t{kExterior} : strongestOwner(facts.owners[c]);
+    out.cell_of_component[c] = main;
+    if (main == kNobody) continue;
+    for (const auto& [owner, count] : facts.owners[c]) {
+      // Only a cell that lies mostly in this component has leaked; a sliver just changes hands.
+      if (2 * count <= facts.owned[owner] || find(owner) == find(main)) continue;
+      const std::uint16_t kept = std::min(find(owner), find(main));
+      const std::uint16_t gone = std::max(find(owner), find(main));
+      merged[gone] = kept;
+      out.log.push_back(fmt::format("merged {} into {}: no portal closes the way between them",
+                                    proposal.cell_names[gone], proposal.cell_names[kept]));
+    }
+  }
+  for (std::uint16_t& cell : out.cell_of_component) {
+    if (cell != kNobody) cell = find(cell);
+  }
+  return out;
+}
+
+// The component on one side of a portal at `p`: the first free, uncut voxel along the normal.
+std::uint32_t componentBeside(const VoxelGrid& grid, const std::vector<std::uint8_t>& cut,
+                              const FreeComponents& components, const glm::vec3& p,
+                              const glm::vec3& direction) {
+  for (int step = 1; step <= 8; ++step) {
+    const glm::ivec3 v =
+        grid.voxelOf(p + direction * (0.5f * grid.voxel * static_cast<float>(step)));
+    if (!grid.contains(v)) break;
+    const std::size_t i = grid.index(v.x, v.y, v.z);
+    if (grid.bits[i] & kVoxelSolid) break;
+    if (cut[i] == 0) return components.componentAt(grid, v);
+  }
+  return FreeComponents::kNotFree;
+}
+
+using SidePair = std::pair<std::uint32_t, std::uint32_t>;  // components in front and behind
+
+std::set<SidePair> sidesOf(const VoxelGrid& grid, const std::vector<std::uint8_t>& cut,
+                           const FreeComponents& components, const Portal& portal) {
+  std::set<SidePair> pairs;
+  for (const glm::vec3& p : pointsWithin(portal.polygon, portal.plane, 0.5f * grid.voxel)) {
+    const SidePair pair{componentBeside(grid, cut, components, p, portal.plane.normal),
+                        componentBeside(grid, cut, components, p, -portal.plane.normal)};
+    if (pair.first != FreeComponents::kNotFree && pair.second != FreeComponents::kNotFree) {
+      pairs.insert(pair);
+    }
+  }
+  return pairs;
+}
+
+// One attempt with a set of portals; those that part nothing are told, for the next attempt to
+// leave out.
+struct Attempt {
+  std::vector<Portal> portals;  // front and back are proposed cells, or beyond them new ones
+  std::vector<std::size_t> useless;
+  std::vector<std::uint16_t> cell_of_component;
+  std::vector<std::uint8_t> cut;
+  FreeComponents components;
+  std::uint16_t cells = 0;  // proposed and new
+  std::vector<std::string> log;
+};
+
+Attempt attemptCut(const VoxelGrid& grid, const CellProposal& proposal,
+                   const std::vector<Portal>& portals) {
+  Attempt out;
+  out.cut = cutVoxels(grid, portals);
+  out.components = freeComponents(grid, out.cut);
+  const ComponentFacts facts = gatherFacts(grid, out.components, proposal);
+  Assignment assignment = assignComponents(facts, proposal);
+  out.cell_of_component = std::move(assignment.cell_of_component);
+  out.log = std::move(assignment.log);
+  out.cells = static_cast<std::uint16_t>(proposal.cell_names.size());
+  const float least_volume = kLeastNewCell / (grid.voxel * grid.voxel * grid.voxel);
+  // Free space that no one proposed but that a portal opens to is a cell, unless it is a mere
+  // pocket.
+  const auto cellOf = [&](std::uint32_t component) {
+    std::uint16_t& cell = out.cell_of_component[component];
+    if (cell == kNobody && static_cast<float>(facts.volume[component]) >= least_volume) {
+      cell = out.cells++;
+    }
+    return cell;
+  };
+  for (std::size_t i = 0; i < portals.size(); ++i) {
+    std::set<std::pair<CellId, CellId>> cells;
+    for (const auto& [front, back] : sidesOf(grid, out.cut, out.components, portals[i])) {
+      const std::uint16_t f = cellOf(front);
+      const std::uint16_t b = cellOf(back);
+      if (f != b && f != kNobody && b != kNobody) cells.insert({f, b});
+    }
+    if (cells.empty()) out.useless.push_back(i);
+    // A portal that touches several cells on a side stands once for each pair: it may show too
+    // much, never too little.
+    for (const auto& [front, back] : cells) {
+      Portal portal = portals[i];
+      portal.front = front;
+      portal.back = back;
+      out.portals.push_back(std::move(portal));
+    }
+  }
+  return out;
+}
+
+// Cells that exist, numbered anew: the exterior first, then in the order of the proposal.
+std::vector<CellId> compactIds(const Attempt& attempt) {
+  std::vector<std::uint8_t> used(attempt.cells, 0);
+  used[kExterior] = 1;
+  for (const std::uint16_t cell : attempt.cell_of_component) {
+    if (cell != kNobody) used[cell] = 1;
+  }
+  std::vector<CellId> ids(attempt.cells, kNoCell);
+  CellId next = 0;
+  for (std::size_t c = 0; c < used.size(); ++c) {
+    if (used[c]) ids[c] = next++;
+  }
+  return ids;
+}
+
+int storeyAt(const std::vector<Storey>& storeys, float y) {
+  int storey = 0;
+  for (std::size_t i = 0; i < storeys.size(); ++i) {
+    if (storeys[i].floor_y <= y + 0.3f) storey = static_cast<int>(i);
+  }
+  return storey;
+}
+
+void measureCells(const VoxelGrid& grid, const Attempt& attempt, const std::vector<CellId>& ids,
+                  CellGraph& graph) {
+  const float area = grid.voxel * grid.voxel;
+  std::vector<std::pair<int, int>> last_column(graph.cells.size(), {-1, -1});
+  for (const FreeComponents::Run& run : attempt.components.runs) {
+    const std::uint16_t owner = attempt.cell_of_component[run.component];
+    if (owner == kNobody) continue;
+    const CellId id = ids[owner];
+    Cell& cell = graph.cells[id];
+    const glm::vec3 half(0.5f * grid.voxel);
+    cell.bounds.extend(grid.centerOf({run.x, run.begin_y, run.z}) - half);
+    cell.bounds.extend(grid.centerOf({run.x, run.end_y - 1, run.z}) + half);
+    if (id == kExterior) continue;
+    cell.volume += area * grid.voxel * static_cast<float>(run.end_y - run.begin_y);
+    if (last_column[id] != std::pair(run.x, run.z)) cell.floor_area += area;
+    last_column[id] = {run.x, run.z};
+  }
+}
+
+CellGraph makeGraph(const VoxelGrid& grid, const CellProposal& proposal, const Attempt& attempt,
+                    const std::vector<CellId>& ids) {
+  CellGraph graph;
+  graph.storeys = proposal.storeys;
+  for (std::size_t c = 0; c < ids.size(); ++c) {
+    if (ids[c] == kNoCell) continue;
+    const bool proposed = c < proposal.cell_names.size();
+    Cell cell;
+    cell.name = proposed ? proposal.cell_names[c]
+                         : fmt::format("cell-{}", c - proposal.cell_names.size() + 1);
+    cell.storey = proposed ? proposal.cell_storeys[c] : 0;
+    graph.cells.push_back(std::move(cell));
+  }
+  measureCells(grid, attempt, ids, graph);
+  for (std::size_t c = proposal.cell_names.size(); c < ids.size(); ++c) {
+    if (ids[c] == kNoCell) continue;
+    Cell& cell = graph.cells[ids[c]];
+    cell.storey = storeyAt(graph.storeys, cell.bounds.min.y);
+  }
+  for (Portal portal : attempt.portals) {
+    portal.front = ids[portal.front];
+    portal.back = ids[portal.back];
+    graph.portals.push_back(std::move(portal));
+  }
+  linkCells(graph);
+  return graph;
+}
+
+std::vector<CellGrid::Label> makeLabels(const VoxelGrid& grid, const Attempt& attempt,
+                                        const std::vector<CellId>& ids) {
+  std::vector<CellGrid::Label> labels(grid.bits.size(), CellGrid::kSolidVoxel);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (attempt.cut[i] && (grid.bits[i] & kVoxelSolid) == 0) labels[i] = CellGrid::kCutVoxel;
+  }
+  for (const FreeComponents::Run& run : attempt.components.runs) {
+    const std::uint16_t owner = attempt.cell_of_component[run.component];
+    if (owner == kNobody) continue;
+    const std::size_t begin = grid.index(run.x, run.begin_y, run.z);
+    std::fill_n(labels.begin() + static_cast<std::ptrdiff_t>(begin), run.end_y - run.begin_y,
+                static_cast<CellGrid::Label>(ids[owner]));
+  }
+  return labels;
+}
+
+}  // namespace
+
+CutCells cutCells(const VoxelGrid& voxels, const CellProposal& proposal) {
+  CutCells out;
+  out.log = proposal.log;
+  std::vector<Portal> portals = proposal.portals;
+  for (Portal& portal : portals) portal.plane = planeOf(portal.polygon);
+  Attempt attempt = attemptCut(voxels, proposal, portals);
+  // Each round drops at least one portal, so this ends.
+  while (!attempt.useless.empty()) {
+    for (auto i = attempt.useless.rbegin(); i != attempt.useless.rend(); ++i) {
+      const auto at = portals.begin() + static_cast<std::ptrdiff_t>(*i);
+      out.log.push_back(fmt::format("dropped {}: it parts no two cells", at->name));
+      portals.erase(at);
+    }
+    attempt = attemptCut(voxels, proposal, portals);
+  }
+  out.log.insert(out.log.end(), attempt.log.begin(), attempt.log.end());
+  const std::vector<CellId> ids = compactIds(attempt);
+  out.graph = makeGraph(voxels, proposal, attempt, ids);
+  out.labels = makeLabels(voxels, attempt, ids);
+  out.grid = CellGrid(voxels.origin, voxels.voxel, voxels.size, out.labels);
+  return out;
+}
+
+}  // namespace enfilade
