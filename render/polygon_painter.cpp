@@ -1,0 +1,111 @@
+#include "render/polygon_painter.h"
+
+#include <cassert>
+
+#include "render/gl_program.h"
+#include "render/renderer_shaders.h"
+
+namespace enfilade {
+
+PolygonPainter::PolygonPainter(const GlFunctions& gl) : gl_(gl) {
+  screen_program_ =
+      createProgram(gl, kPolygonVertexShader, kScreenPolygonFragmentShader, kPolygonAttributes);
+  textured_program_ =
+      createProgram(gl, kPolygonVertexShader, kTexturedPolygonFragmentShader, kPolygonAttributes);
+  gl.GenVertexArrays(1, &vertex_array_);
+  gl.GenBuffers(1, &buffer_);
+  gl.BindVertexArray(vertex_array_);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_);
+  gl.EnableVertexAttribArray(0);
+  gl.EnableVertexAttribArray(1);
+  const auto at = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };  // NOLINT
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), at(offsetof(Vertex, position)));
+  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex), at(offsetof(Vertex, texcoord)));
+}
+
+PolygonPainter::~PolygonPainter() {
+  gl_.DeleteProgram(screen_program_);
+  gl_.DeleteProgram(textured_program_);
+  gl_.DeleteVertexArrays(1, &vertex_array_);
+  gl_.DeleteBuffers(1, &buffer_);
+  for (const Texture& texture : textures_) gl_.DeleteTextures(1, &texture.name);
+}
+
+void PolygonPainter::bindTexture(int width, int height, bool by_pixel) {
+  if (used_ == textures_.size()) textures_.emplace_back();
+  Texture& texture = textures_[used_++];
+  if (texture.name == 0) gl_.GenTextures(1, &texture.name);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, texture.name);
+  gl_.BindSampler(0, 0);
+  const GLint filter = by_pixel ? GL_NEAREST : GL_LINEAR;
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  if (texture.width == width && texture.height == height) return;
+  texture.width = width;
+  texture.height = height;
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+}
+
+void PolygonPainter::drawTriangles(GLuint program, const glm::mat4& clip_from_world) {
+  gl_.UseProgram(program);
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(program, "clip_from_world"), 1, GL_FALSE,
+                       &clip_from_world[0][0]);
+  gl_.BindVertexArray(vertex_array_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles_.size() * sizeof(Vertex)),
+                 triangles_.data(), GL_STREAM_DRAW);
+  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_.size()));
+}
+
+void PolygonPainter::drawScreenPolygons(std::span<const ScreenPolygon> polygons,
+                                        const Image& picture, const glm::ivec4& region,
+                                        const glm::mat4& clip_from_world) {
+  const glm::ivec2 low = glm::max(glm::ivec2(region), glm::ivec2(0));
+  const glm::ivec2 high =
+      glm::min(glm::ivec2(region.z, region.w), glm::ivec2(picture.width, picture.height));
+  triangles_.clear();
+  for (const ScreenPolygon& screen : polygons) {
+    for (std::size_t i = 2; i < screen.polygon.size(); ++i) {
+      for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+        triangles_.push_back({screen.polygon[corner], glm::vec2(0)});
+      }
+    }
+  }
+  if (low.x >= high.x || low.y >= high.y || triangles_.empty()) return;
+  bindTexture(picture.width, picture.height, true);
+  const std::size_t start =
+      4 * (static_cast<std::size_t>(low.y) * static_cast<std::size_t>(picture.width) +
+           static_cast<std::size_t>(low.x));
+  gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, picture.width);
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, low.x, low.y, high.x - low.x, high.y - low.y, GL_RGBA,
+                    GL_UNSIGNED_BYTE, &picture.rgba[start]);
+  gl_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  // Outside the region the texture holds what an earlier frame left there.
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(low.x, low.y, high.x - low.x, high.y - low.y);
+  drawTriangles(screen_program_, clip_from_world);
+  gl_.Disable(GL_SCISSOR_TEST);
+}
+
+void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
+                                         std::span<const glm::vec2> texcoords, const Image& texture,
+                                         const glm::mat4& clip_from_world) {
+  assert(polygon.size() == texcoords.size());
+  triangles_.clear();
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+      triangles_.push_back({polygon[corner], texcoords[corner]});
+    }
+  }
+  if (triangles_.empty() || texture.rgba.empty()) return;
+  bindTexture(texture.width, texture.height, false);
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width, texture.height, GL_RGBA,
+                    GL_UNSIGNED_BYTE, texture.rgba.data());
+  drawTriangles(textured_program_, clip_from_world);
+}
+
+}  // namespace enfilade

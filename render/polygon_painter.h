@@ -1,0 +1,55 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "render/gl_functions.h"
+#include "render/renderer.h"
+
+namespace enfilade {
+
+/// Draws the polygons that stand in portals, under the depth state that it finds.  The context must
+/// be current and the framebuffer bound.
+class PolygonPainter {
+ public:
+  explicit PolygonPainter(const GlFunctions& gl);
+  ~PolygonPainter();
+  PolygonPainter(const PolygonPainter&) = delete;
+  PolygonPainter& operator=(const PolygonPainter&) = delete;
+
+  /// A new frame: textures may be written again without waiting for those who read them.
+  void begin() noexcept { used_ = 0; }
+
+  /// See Renderer::drawScreenPolygons.
+  void drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
+                          const glm::ivec4& region, const glm::mat4& clip_from_world);
+  /// See Renderer::drawTexturedPolygon.
+  void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
+                           const Image& texture, const glm::mat4& clip_from_world);
+
+ private:
+  struct Vertex {
+    glm::vec3 position;
+    glm::vec2 texcoord;
+  };
+  struct Texture {
+    GLuint name = 0;
+    int width = 0;
+    int height = 0;
+  };
+
+  void bindTexture(int width, int height, bool by_pixel);
+  void drawTriangles(GLuint program, const glm::mat4& clip_from_world);
+
+  const GlFunctions& gl_;
+  GLuint screen_program_ = 0;
+  GLuint textured_program_ = 0;
+  GLuint vertex_array_ = 0;
+  GLuint buffer_ = 0;
+  std::vector<Vertex> triangles_;
+  std::vector<Texture> textures_;  // one for each use in a frame, kept for the next
+  std::size_t used_ = 0;
+};
+
+}  // namespace enfilade
