@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,11 @@ Image readImage(const std::string& file);
 /// The PNG file of `image`, in memory.  The same bytes on every run.
 std::vector<std::uint8_t> encodePng(const Image& image);
 
-/// Decodes a PNG or JPEG in memory; `subject` names it in errors.  Throws Error (kBadInput).
+/// Decodes a PNG or JPEG in memory (at most 16384 × 16384); `subject` names it in errors.  Throws
+/// Error (kBadInput).
 Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& subject);
+
+/// "image/png" or "image/jpeg" by the first bytes; empty for anything else.
+std::string imageMimeType(std::span<const std::uint8_t> bytes);
 
 }  // namespace enfilade

@@ -1,0 +1,130 @@
+#include "scene/file_io.h"
+
+#include <fcntl.h>
+#include <sodium.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+std::string systemReason() { return std::strerror(errno); }
+
+/// Closes what it holds.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  int get() const noexcept { return fd_; }
+  /// The system's answer to close: the last moment at which a full disk is told.
+  bool close() {
+    const int fd = fd_;
+    fd_ = -1;
+    return ::close(fd) == 0;
+  }
+
+ private:
+  int fd_;
+};
+
+[[noreturn]] void failRead(const std::string& file) {
+  if (errno == ENOENT || errno == ENOTDIR) throw Error(ErrorKind::kBadInput, file, "no such file");
+  throw Error(ErrorKind::kBadInput, file, "cannot be read: " + systemReason());
+}
+
+bool writeAll(int fd, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+bool writeWhole(const std::string& file, std::span<const std::uint8_t> bytes) {
+  FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  return fd.get() >= 0 && writeAll(fd.get(), bytes) && fd.close();
+}
+
+[[noreturn]] void failWrite(const std::string& file, const std::string& reason) {
+  throw Error(ErrorKind::kMachine, file, "cannot be written: " + reason);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> readFile(const std::string& file) {
+  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
+  const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (fd.get() < 0) failRead(file);
+  struct stat status {};
+  if (::fstat(fd.get(), &status) != 0) failRead(file);
+  if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::kBadInput, file, "is a directory");
+  if (!S_ISREG(status.st_mode)) throw Error(ErrorKind::kBadInput, file, "is not a regular file");
+
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+  std::size_t size = 0;
+  while (size < bytes.size()) {
+    const ssize_t n = ::read(fd.get(), bytes.data() + size, bytes.size() - size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) failRead(file);
+    if (n == 0) break;  // the file shrank meanwhile
+    size += static_cast<std::size_t>(n);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status)) failWrite(file, "is a directory");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    // A device or a pipe must not be replaced by a file.
+    if (!writeWhole(file, bytes)) failWrite(file, systemReason());
+    return;
+  }
+  // A symbolic link stays one: what it points to is replaced.
+  const std::string target = fs::is_symlink(fs::symlink_status(file, error)) && fs::exists(status)
+                                 ? fs::canonical(file, error).string()
+                                 : file;
+  const std::string temporary = target + ".tmp-" + std::to_string(::getpid());
+  if (writeWhole(temporary, bytes) && ::rename(temporary.c_str(), target.c_str()) == 0) return;
+  const std::string reason = systemReason();
+  ::unlink(temporary.c_str());
+  failWrite(file, reason);
+}
+
+void writeFileAtomically(const std::string& file, const std::string& text) {
+  writeFileAtomically(file,
+                      std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void createFolders(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error(ErrorKind::kMachine, folder, "cannot be created: " + error.message());
+}
+
+std::string sha256Hex(std::span<const std::uint8_t> bytes) {
+  std::array<std::uint8_t, crypto_hash_sha256_BYTES> digest{};
+  crypto_hash_sha256(digest.data(), bytes.data(), bytes.size());
+  std::array<char, 2 * digest.size() + 1> hex{};
+  sodium_bin2hex(hex.data(), hex.size(), digest.data(), digest.size());
+  return hex.data();
+}
+
+}  // namespace enfilade

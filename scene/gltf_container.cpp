@@ -1,0 +1,209 @@
+#include "scene/gltf_container.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+using nlohmann::json;
+
+/// tinygltf walks `extras` and `extensions` recursively.
+constexpr int kMaxDepth = 100;
+
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
+constexpr std::uint32_t kBinChunk = 0x004e4942;
+
+[[noreturn]] void fail(const std::string& file, const std::string& reason) {
+  throw Error(ErrorKind::kBadInput, file, reason);
+}
+
+std::uint32_t readU32(std::span<const std::uint8_t> bytes, std::size_t offset) {
+  return static_cast<std::uint32_t>(bytes[offset]) |
+         static_cast<std::uint32_t>(bytes[offset + 1]) << 8 |
+         static_cast<std::uint32_t>(bytes[offset + 2]) << 16 |
+         static_cast<std::uint32_t>(bytes[offset + 3]) << 24;
+}
+
+std::string_view asText(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// The chunk of `type` that begins at `offset`; moves `offset` behind it.
+std::span<const std::uint8_t> takeChunk(const std::string& file,
+                                        std::span<const std::uint8_t> bytes, std::size_t& offset,
+                                        std::uint32_t& type) {
+  if (bytes.size() - offset < 8) fail(file, "is truncated: a chunk header is cut short");
+  const std::size_t length = readU32(bytes, offset);
+  type = readU32(bytes, offset + 4);
+  offset += 8;
+  if (length > bytes.size() - offset) {
+    fail(file, fmt::format("is damaged: a chunk says that it has {} bytes, {} are left", length,
+                           bytes.size() - offset));
+  }
+  const auto chunk = bytes.subspan(offset, length);
+  offset = std::min(bytes.size(), offset + (length + 3) / 4 * 4);
+  return chunk;
+}
+
+std::string_view splitGlb(const std::string& file, std::span<const std::uint8_t> bytes,
+                          std::span<const std::uint8_t>& bin) {
+  if (bytes.size() < 20) fail(file, fmt::format("is truncated: {} bytes", bytes.size()));
+  const std::uint32_t version = readU32(bytes, 4);
+  if (version != 2) {
+    fail(file,
+         fmt::format("is a GLB of version {}; version 2 is needed (export as glTF 2.0)", version));
+  }
+  const std::uint32_t length = readU32(bytes, 8);
+  if (length > bytes.size()) {
+    fail(file, fmt::format("is truncated: {} of {} bytes are there", bytes.size(), length));
+  }
+  if (length < 20) fail(file, "is damaged: its header gives a length that is too small");
+  bytes = bytes.first(length);
+
+  std::size_t offset = 12;
+  std::uint32_t type = 0;
+  const auto json_chunk = takeChunk(file, bytes, offset, type);
+  if (type != kJsonChunk) fail(file, "is damaged: its first chunk is not JSON");
+  while (offset < bytes.size()) {
+    const auto chunk = takeChunk(file, bytes, offset, type);
+    if (type == kBinChunk) {
+      bin = chunk;
+      break;
+    }
+  }
+  return asText(json_chunk);
+}
+
+/// What a file that is no glTF seems to be, by its first bytes.
+std::string guessFormat(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kKnown{{
+      {"ISO-10303-21", "an IFC or STEP file; convert it to glTF first"},
+      {"PK\x03\x04", "a ZIP archive; unpack it first"},
+      {"Kaydara FBX", "an FBX file; convert it to glTF first"},
+      {"BLENDER", "a Blender file; export it as glTF 2.0"},
+      {"<?xml", "an XML file"},
+      {"ply", "a PLY file; convert it to glTF first"},
+      {"solid", "an STL file; convert it to glTF first"},
+      {"\x89PNG", "a PNG image"},
+      {"version https://git-lfs", "a Git LFS pointer; fetch the file itself with git lfs pull"},
+  }};
+  for (const auto& [magic, what] : kKnown) {
+    if (text.starts_with(magic)) return "seems to be " + std::string(what);
+  }
+  const bool printable = std::all_of(
+      text.begin(),
+      text.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(text.size(), 40)),
+      [](unsigned char c) { return c >= 0x20 || std::isspace(c); });
+  return printable
+             ? fmt::format("it begins with \"{}\"", oneLine(std::string(text.substr(0, 60)), 30))
+             : "its first bytes are those of another binary format";
+}
+
+void checkDepth(const std::string& file, std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kMaxDepth) fail(file, fmt::format("nests its JSON deeper than {}", kMaxDepth));
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+}
+
+json parseJson(const std::string& file, std::string_view text) {
+  checkDepth(file, text);
+  try {
+    return json::parse(text);
+  } catch (const json::exception& e) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 9: …"
+    const std::string what = e.what();
+    const std::size_t end = what.find("] ");
+    fail(file, "is not valid JSON: " +
+                   oneLine(end == std::string::npos ? what : what.substr(end + 2), 160));
+  }
+}
+
+void checkShape(const std::string& file, const json& root) {
+  if (!root.is_object()) fail(file, "is not a glTF file: its JSON is no object");
+  const auto asset = root.find("asset");
+  if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string()) {
+    fail(file, "is JSON but not glTF: asset.version is missing");
+  }
+  const std::string version = (*asset)["version"];
+  if (!version.starts_with("2.")) {
+    fail(file, fmt::format("is glTF {}; version 2.0 is needed", oneLine(version, 20)));
+  }
+  for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
+                          "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures",
+                          "extensionsRequired", "extensionsUsed"}) {
+    if (root.contains(key) && !root[key].is_array()) {
+      fail(file, fmt::format("is no valid glTF: \"{}\" is not an array", key));
+    }
+  }
+}
+
+void checkRequiredExtensions(const std::string& file, const json& root) {
+  constexpr std::array<std::string_view, 3> kKnown{"KHR_materials_unlit", "KHR_mesh_quantization",
+                                                   "KHR_texture_transform"};
+  std::string lacking;
+  for (const json& extension : root.value("extensionsRequired", json::array())) {
+    if (!extension.is_string()) continue;
+    const auto& name = extension.get_ref<const std::string&>();
+    if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end()) continue;
+    lacking += (lacking.empty() ? "" : ", ") + oneLine(name);
+  }
+  if (lacking.empty()) return;
+  fail(file, "requires the glTF extension " + lacking +
+                 ", which is not supported; export it without (no mesh or texture compression)");
+}
+
+}  // namespace
+
+bool isGlb(std::span<const std::uint8_t> bytes) noexcept {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+json parseGltfContainer(const std::string& file, std::span<const std::uint8_t> bytes,
+                        std::span<const std::uint8_t>& bin, WarningLog& warnings) {
+  bin = {};
+  std::string_view text;
+  if (isGlb(bytes)) {
+    text = splitGlb(file, bytes, bin);
+  } else {
+    text = asText(bytes);
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    if (text.empty()) fail(file, "is empty");
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos || text[start] != '{') {
+      fail(file, "is not a glTF file (neither GLB nor JSON): " + guessFormat(text));
+    }
+  }
+  json root = parseJson(file, text);
+  checkShape(file, root);
+  checkRequiredExtensions(file, root);
+  for (const char* optional : {"EXT_mesh_gpu_instancing", "KHR_materials_variants"}) {
+    const json used = root.value("extensionsUsed", json::array());
+    if (std::find(used.begin(), used.end(), json(optional)) != used.end()) {
+      warnings.add("extension ignored", optional);
+    }
+  }
+  return root;
+}
+
+}  // namespace enfilade

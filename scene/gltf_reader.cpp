@@ -1,0 +1,104 @@
+#include "scene/gltf_reader.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "scene/gltf_materials.h"
+#include "scene/gltf_meshes.h"
+#include "scene/gltf_model.h"
+#include "scene/gltf_nodes.h"
+
+namespace enfilade {
+namespace {
+
+using nlohmann::json;
+
+/// All nodes, and an object for every primitive of each.
+void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
+               WarningLog& warnings) {
+  const GltfNodeTree tree = readNodeTree(gltf);
+  std::vector<glm::dmat4> world_from_node;
+  for (const auto& [gltf_node, parent] : tree.entries) {
+    const tinygltf::Node& source = gltf->nodes[static_cast<std::size_t>(gltf_node)];
+    const glm::dmat4 own = parentFromNode(gltf, gltf_node);
+    world_from_node.push_back(parent == kNone ? own
+                                              : multiplyThrough(world_from_node[parent], own));
+    Node node;
+    node.name = source.name;
+    node.parent = parent;
+    node.world_from_node = glm::mat4(world_from_node.back());
+    node.extras = gltf.node_extras[static_cast<std::size_t>(gltf_node)];
+    building.nodes.push_back(std::move(node));
+
+    if (source.mesh < 0) continue;
+    if (source.skin >= 0) warnings.add("skin ignored", "node '" + oneLine(source.name) + "'");
+    const auto index = static_cast<std::uint32_t>(building.nodes.size() - 1);
+    for (const std::uint32_t mesh : meshes.meshesOf(source.mesh)) {
+      building.objects.push_back({index, mesh});
+    }
+  }
+}
+
+/// The writer's own order of the objects, where it differs from the order of the nodes.
+void restoreObjectOrder(const GltfModel& gltf, const json& order, Building& building) {
+  std::vector<Object> objects;
+  std::vector<bool> taken(building.objects.size(), false);
+  for (const json& index : order) {
+    const bool valid = index.is_number_unsigned() && index < building.objects.size();
+    if (!valid || taken[index.get<std::size_t>()]) break;
+    taken[index.get<std::size_t>()] = true;
+    objects.push_back(building.objects[index.get<std::size_t>()]);
+  }
+  if (objects.size() != building.objects.size()) {
+    gltf.fail("is damaged: extras.enfilade.object_order does not order its objects");
+  }
+  building.objects = std::move(objects);
+}
+
+void readOwnExtras(const GltfModel& gltf, Building& building) {
+  building.name = std::filesystem::path(gltf.file).stem().string();
+  if (gltf.extras.empty()) return;
+  const json extras = json::parse(gltf.extras);
+  if (!extras.is_object()) return;
+  if (extras.contains("name") && extras["name"].is_string()) building.name = extras["name"];
+  if (extras.contains("object_order") && extras["object_order"].is_array()) {
+    restoreObjectOrder(gltf, extras["object_order"], building);
+  }
+}
+
+/// Primitives without normals left theirs behind.
+void dropUnusedVertexArrays(Building& building) {
+  std::vector<std::uint32_t> new_index(building.vertex_arrays.size(), kNone);
+  for (const Mesh& mesh : building.meshes) new_index[mesh.vertices] = 0;
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] == kNone) continue;
+    if (kept != i) building.vertex_arrays[kept] = std::move(building.vertex_arrays[i]);
+    new_index[i] = kept++;
+  }
+  building.vertex_arrays.resize(kept);
+  for (Mesh& mesh : building.meshes) mesh.vertices = new_index[mesh.vertices];
+}
+
+}  // namespace
+
+Building readGltf(const std::string& file, Warnings* warnings) {
+  WarningLog log;
+  const GltfModel gltf = loadGltfModel(file, log);
+  Building building;
+  building.copyright = gltf->asset.copyright;
+  const std::vector<TextureMapping> mappings = readMaterials(gltf, building, log);
+  MeshReader meshes(gltf, mappings, building, log);
+  readNodes(gltf, meshes, building, log);
+  if (building.objects.empty()) gltf.fail("holds no triangles");
+  readOwnExtras(gltf, building);
+  dropUnusedVertexArrays(building);
+  if (warnings != nullptr) *warnings = log.lines();
+  return building;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,84 @@
+#include "scene/image.h"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <memory>
+
+#include "scene/error.h"
+#include "scene/file_io.h"
+
+namespace enfilade {
+namespace {
+
+/// The largest picture that we decode: 16384 × 16384, the most that common GPUs take.
+constexpr int kMaxSide = 16384;
+
+void append(void* context, void* data, int size) {
+  auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
+  const auto* begin = static_cast<const std::uint8_t*>(data);
+  bytes.insert(bytes.end(), begin, begin + size);
+}
+
+[[noreturn]] void fail(const std::string& subject, const std::string& reason) {
+  throw Error(ErrorKind::kBadInput, subject, reason);
+}
+
+}  // namespace
+
+std::string imageMimeType(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  constexpr std::array<std::uint8_t, 3> kJpeg{0xff, 0xd8, 0xff};
+  const auto begins = [&](const auto& magic) {
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+  };
+  if (begins(kPng)) return "image/png";
+  if (begins(kJpeg)) return "image/jpeg";
+  return {};
+}
+
+Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& subject) {
+  if (imageMimeType(bytes).empty()) fail(subject, "is neither a PNG nor a JPEG image");
+  if (bytes.size() > std::numeric_limits<int>::max()) fail(subject, "is too large for an image");
+  const int size = static_cast<int>(bytes.size());
+  Image image;
+  int channels = 0;
+  if (!stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels)) {
+    fail(subject, std::string("cannot be decoded: ") + stbi_failure_reason());
+  }
+  if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide) {
+    fail(subject, "is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                      " pixels; at most 16384 x 16384 can be read");
+  }
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4),
+      stbi_image_free);
+  if (!pixels) fail(subject, std::string("cannot be decoded: ") + stbi_failure_reason());
+  const std::size_t count = std::size_t{4} * static_cast<std::size_t>(image.width) *
+                            static_cast<std::size_t>(image.height);
+  image.rgba.assign(pixels.get(), pixels.get() + count);
+  return image;
+}
+
+Image readImage(const std::string& file) { return decodeImage(readFile(file), file); }
+
+std::vector<std::uint8_t> encodePng(const Image& image) {
+  assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                  static_cast<std::size_t>(image.height));
+  std::vector<std::uint8_t> bytes;
+  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                              4 * image.width)) {
+    throw Error(ErrorKind::kMachine, "", "no memory to encode a PNG image");
+  }
+  return bytes;
+}
+
+void writePng(const std::string& file, const Image& image) {
+  writeFileAtomically(file, encodePng(image));
+}
+
+}  // namespace enfilade
