@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace enfilade {
 
@@ -44,6 +45,27 @@ bool segmentCrosses(std::span<const glm::vec3> polygon, const Plane& plane, cons
   const float db = plane.signedDistance(b);
   if ((da > 0 && db > 0) || (da < 0 && db < 0) || da == db) return false;
   return distanceInPlane(polygon, plane, a + (da / (da - db)) * (b - a)) <= grow;
+}
+
+std::vector<glm::vec3> grownPolygon(std::span<const glm::vec3> polygon, const Plane& plane,
+                                    float by) {
+  std::vector<glm::vec3> corners;  // those with an edge of some length after them
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (polygon[i] != polygon[(i + 1) % polygon.size()]) corners.push_back(polygon[i]);
+  }
+  std::vector<glm::vec3> grown = corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t before = (i + corners.size() - 1) % corners.size();
+    const std::size_t after = (i + 1) % corners.size();
+    const auto outward = [&](const glm::vec3& edge) {
+      return glm::normalize(glm::cross(edge, plane.normal));
+    };
+    const glm::vec3 sum =
+        outward(corners[i] - corners[before]) + outward(corners[after] - corners[i]);
+    // The mitre reaches `by` beyond both edges.
+    grown[i] += sum * (by / std::max(0.5f * glm::dot(sum, sum), 0.125f));
+  }
+  return grown;
 }
 
 }  // namespace enfilade

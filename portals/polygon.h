@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "scene/geometry.h"
 
@@ -18,5 +19,11 @@ float distanceToPolygon(std::span<const glm::vec3> polygon, const Plane& plane, 
 /// side.  A segment that ends in the plane crosses; one that lies in it does not.
 bool segmentCrosses(std::span<const glm::vec3> polygon, const Plane& plane, const glm::vec3& a,
                     const glm::vec3& b, float grow);
+
+/// The convex `polygon` with every edge moved outward by `by` [m] ≥ 0 within its plane; acute
+/// corners are drawn out by four times that at the most.  Keeps the winding; needs it to be
+/// counter-clockwise about the plane's normal.
+std::vector<glm::vec3> grownPolygon(std::span<const glm::vec3> polygon, const Plane& plane,
+                                    float by);
 
 }  // namespace enfilade

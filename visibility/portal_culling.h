@@ -1,11 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "portals/cell_graph.h"
-#include "portals/house.h"
 #include "visibility/screen_region.h"
 
 namespace enfilade {
@@ -31,31 +29,30 @@ struct VisibleSet {
   std::vector<VisiblePortal> portals;  ///< by portal id, then front first
 };
 
+/// Nearer to a portal than this [m] the eye sees through it whole, both ways: more than the
+/// distance of the near plane's corners, so that nothing vanishes while the eye passes.
+inline constexpr float kNearPortal = 0.15f;
+
+/// Portal polygons are taken as this much larger [m] on every side, since the jambs that they were
+/// fitted to are only known to so much.
+inline constexpr float kPortalMargin = 0.01f;
+
 /// Whether an image is to be shown in place of what lies behind a portal.
 using ShowAsImage = std::function<bool(const Portal& portal, PortalId id, bool from_front)>;
 
 /// Recursive portal culling: from `eye_cell` through every active portal in view, clipping the view
-/// volume by each portal polygon; the union of the regions over all paths.  An eye in a portal, on
-/// its plane or near it sees through it whole. Conservative: a set that is too large, never one too
-/// small. Source: Luebke & Georges, Portals and Mirrors, 1995; Teller & Séquin 1991.
+/// volume by each portal polygon; the union of the regions over all paths.  An eye in a portal or
+/// near it sees through it whole, without asking `show_as_image`. `eye_cell` is a cell of the
+/// graph. Conservative: a set that is too large, never one too small. Source: Luebke & Georges,
+/// Portals and Mirrors, 1995; Teller & Séquin 1991.
 VisibleSet cullByPortals(const CellGraph& graph, const View& view, CellId eye_cell,
                          const ShowAsImage& show_as_image = {});
 
-/// The same, but for an eye that looks through `portal` from outside the cell behind it: what an
-/// image of that portal shows. `view.eye` need not stand in a cell.
+/// The same, but for an eye on one side of `portal` that sees only what lies behind it: what an
+/// image of that portal shows.  `view.eye` need not stand in a cell; `eye_cell` of the result is
+/// kNoCell, and `portal` itself is listed only if it is seen through other portals.  Shut and
+/// one-way portals: those beyond count, `portal` itself is looked through in any case.
 VisibleSet cullBehindPortal(const CellGraph& graph, const View& view, PortalId portal,
                             bool from_front);
-
-/// The objects to draw, increasing: of the visible cells, those whose box may be seen through one
-/// of the cell's regions. Doors are left out.
-std::vector<std::uint32_t> visibleObjects(const House& house, const VisibleSet& set,
-                                          std::span<const Box> world_bounds);
-
-/// The objects to draw without any culling but that by the view frustum.  Doors are left out.
-std::vector<std::uint32_t> objectsInFrustum(const House& house, const View& view,
-                                            std::span<const Box> world_bounds);
-
-/// worldBounds of every object, computed once.
-std::vector<Box> objectBounds(const House& house);
 
 }  // namespace enfilade

@@ -1,0 +1,74 @@
+#include "visibility/object_index.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace enfilade {
+
+namespace {
+
+Plane unitPlane(const glm::dvec4& row) {
+  const double length = glm::length(glm::dvec3(row));
+  return {glm::vec3(glm::dvec3(row) / length), static_cast<float>(row.w / length)};
+}
+
+/// The planes of the view volume: the four through the eye, then near and far.
+std::vector<Plane> frustumPlanes(const View& view) {
+  std::vector<Plane> planes = wholeScreen(view).planes;
+  const glm::dmat4 rows = glm::transpose(glm::dmat4(view.clip_from_world));
+  planes.push_back(unitPlane(rows[3] + rows[2]));
+  planes.push_back(unitPlane(rows[3] - rows[2]));
+  return planes;
+}
+
+}  // namespace
+
+ObjectIndex::ObjectIndex(const House& house) : first_(house.graph.cells.size() + 1, 0) {
+  const auto count = static_cast<std::uint32_t>(house.building.objects.size());
+  assert(house.object_roles.size() == count && house.object_cells.size() == count);
+  bounds_.reserve(count);
+  for (std::uint32_t object = 0; object < count; ++object) {
+    bounds_.push_back(worldBounds(house.building, house.building.objects[object]));
+    if (house.object_roles[object] == ObjectRole::kDoor) continue;
+    drawn_.push_back(object);
+    for (const CellId cell : house.object_cells[object]) ++first_[cell + 1];
+  }
+  for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
+  cell_objects_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (const std::uint32_t object : drawn_) {
+    for (const CellId cell : house.object_cells[object]) cell_objects_[next[cell]++] = object;
+  }
+}
+
+std::span<const std::uint32_t> ObjectIndex::ofCell(CellId cell) const noexcept {
+  return std::span(cell_objects_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+}
+
+std::vector<std::uint32_t> ObjectIndex::visible(const VisibleSet& set) const {
+  std::vector<std::uint8_t> seen(bounds_.size(), 0);
+  for (const VisibleCell& cell : set.cells) {
+    for (const std::uint32_t object : ofCell(cell.cell)) {
+      if (seen[object]) continue;
+      seen[object] = std::any_of(
+          cell.regions.begin(), cell.regions.end(),
+          [&](const ScreenRegion& region) { return mayBeSeen(region, bounds_[object]); });
+    }
+  }
+  std::vector<std::uint32_t> objects;
+  for (std::uint32_t object = 0; object < seen.size(); ++object) {
+    if (seen[object]) objects.push_back(object);
+  }
+  return objects;
+}
+
+std::vector<std::uint32_t> ObjectIndex::inFrustum(const View& view) const {
+  const std::vector<Plane> planes = frustumPlanes(view);
+  std::vector<std::uint32_t> objects;
+  std::copy_if(drawn_.begin(), drawn_.end(), std::back_inserter(objects),
+               [&](std::uint32_t object) { return mayTouch(planes, bounds_[object]); });
+  return objects;
+}
+
+}  // namespace enfilade

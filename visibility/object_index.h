@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "portals/house.h"
+#include "visibility/portal_culling.h"
+
+namespace enfilade {
+
+/// Which objects stand in which cell, and where: made once for a house, asked each frame.
+/// Doors are left out everywhere: they stand open.
+class ObjectIndex {
+ public:
+  /// `house` need not outlive it.
+  explicit ObjectIndex(const House& house);
+
+  /// The objects to draw, increasing: of the visible cells, those whose box may be seen through one
+  /// of the cell's regions.  Conservative.
+  std::vector<std::uint32_t> visible(const VisibleSet& set) const;
+
+  /// The objects to draw without any culling but that by the view frustum, increasing.
+  /// Conservative.
+  std::vector<std::uint32_t> inFrustum(const View& view) const;
+
+  /// The objects that the cell can see, increasing.
+  std::span<const std::uint32_t> ofCell(CellId cell) const noexcept;
+
+  /// The box of every object [m, world], doors too.
+  std::span<const Box> bounds() const noexcept { return bounds_; }
+
+ private:
+  std::vector<Box> bounds_;           // one an object
+  std::vector<std::uint32_t> drawn_;  // every object but doors, increasing
+  std::vector<std::uint32_t> first_;  // one a cell and one more, into cell_objects_
+  std::vector<std::uint32_t> cell_objects_;
+};
+
+}  // namespace enfilade
