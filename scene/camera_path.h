@@ -15,18 +15,24 @@ struct TimedPose {
 /// A scripted walk: one pose a frame.
 struct CameraPath {
   std::string name;
-  float vertical_fov = 1.047f;  ///< [rad]
+  float vertical_fov = 1.047f;  ///< [rad] 0…π, neither of them
   std::vector<TimedPose> poses;
 };
 
-/// Reads a path.  By content, whatever the extension: our JSON ({"enfilade": "tour", "version": 1,
-/// …}), TUM
-/// (`timestamp tx ty tz qx qy qz qw` lines, `#` comments), or a glTF/GLB whose camera node is
-/// animated (sampled `frames_per_second` times a second).  Throws Error (kBadInput) that says what
-/// the file seems to be.
+/// Reads a path, at least one pose.  By content, whatever the extension:
+/// - our JSON: {"enfilade": "tour", "version": 1, "name": …, "vertical_fov_degrees": …,
+///   "frames": [{"t": seconds, "p": [x, y, z], "q": [x, y, z, w]}, …]};
+/// - TUM: lines of `timestamp tx ty tz qx qy qz qw`, `#` comments.  Rotations as here, a camera
+/// that
+///   looks down its −Z; the format has no field of view, so it stays the default;
+/// - glTF or GLB: the first perspective camera that is animated, itself or by a node above it,
+///   sampled `frames_per_second` times a second from the first key on, which becomes time 0.
+/// Rotations are normalised.  Throws Error (kBadInput) that says what the file seems to be, or
+/// which frame or line is wrong.
 CameraPath readCameraPath(const std::string& file, double frames_per_second = 30.0);
 
-/// Writes our JSON, by way of a temporary name.  Throws Error (kMachine).
+/// Writes our JSON, by way of a temporary name: reading it gives the same path.  Throws Error
+/// (kMachine).
 void writeCameraPath(const std::string& file, const CameraPath& path);
 
 /// Writes TUM lines, by way of a temporary name.  Throws Error (kMachine).

@@ -1,0 +1,141 @@
+#include "scene/camera_path.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+#include <nlohmann/json.hpp>
+
+#include "scene/camera_path_formats.h"
+#include "scene/error.h"
+#include "scene/file_io.h"
+#include "scene/gltf_container.h"
+#include "scene/warning_log.h"
+
+namespace enfilade {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void fail(const std::string& file, const std::string& reason) {
+  throw Error(ErrorKind::kBadInput, file, reason);
+}
+
+/// `N` finite numbers of `frame`, or an error that names them.
+template <std::size_t N>
+std::array<double, N> numbersOf(const std::string& file, const std::string& place,
+                                const json& frame, const char* key) {
+  std::array<double, N> numbers{};
+  const auto found = frame.find(key);
+  const bool is_array = found != frame.end() && found->is_array() && found->size() == N;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!is_array || !(*found)[i].is_number()) {
+      fail(file, fmt::format("{}: \"{}\" is not {} numbers", place, key, N));
+    }
+    numbers[i] = (*found)[i];
+  }
+  return numbers;
+}
+
+void readFrame(const std::string& file, std::size_t index, const json& frame, CameraPath& path) {
+  const std::string place = fmt::format("frame {}", index);
+  if (!frame.is_object()) fail(file, place + " is no object");
+  const auto time = frame.find("t");
+  if (time == frame.end() || !time->is_number()) fail(file, place + ": \"t\" is no number");
+  const auto p = numbersOf<3>(file, place, frame, "p");
+  const auto q = numbersOf<4>(file, place, frame, "q");
+  TimedPose pose;
+  pose.time = *time;
+  pose.pose.position = glm::vec3(glm::dvec3(p[0], p[1], p[2]));
+  pose.pose.world_from_camera_rotation = glm::quat(glm::dquat(q[3], q[0], q[1], q[2]));
+  appendPose(file, place, pose, path);
+}
+
+std::string textOfPose(const TimedPose& timed, const char* format) {
+  const glm::vec3& p = timed.pose.position;
+  const glm::quat& q = timed.pose.world_from_camera_rotation;
+  return fmt::format(fmt::runtime(format), timed.time, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+}
+
+}  // namespace
+
+void appendPose(const std::string& file, const std::string& place, TimedPose pose,
+                CameraPath& path) {
+  glm::quat& q = pose.pose.world_from_camera_rotation;
+  const glm::vec3& p = pose.pose.position;
+  const float length = glm::length(q);
+  if (!std::isfinite(pose.time) || !std::isfinite(p.x + p.y + p.z) || !std::isfinite(length)) {
+    fail(file, place + " has a number that is not finite");
+  }
+  if (length < 1e-6f) fail(file, place + " has no rotation: its quaternion is zero");
+  if (std::abs(length - 1.0f) > 1e-6f) q /= length;
+  if (!path.poses.empty() && pose.time < path.poses.back().time) {
+    fail(file, place + " is earlier than the one before it");
+  }
+  path.poses.push_back(pose);
+}
+
+CameraPath readTour(const std::string& file, const json& root) {
+  if (root.value("version", json()) != 1) {
+    fail(file, fmt::format("is a tour of version {}; this program reads version 1",
+                           oneLine(root.value("version", json("?")).dump(), 20)));
+  }
+  CameraPath path;
+  if (root.contains("name") && root["name"].is_string()) path.name = root["name"];
+  if (root.contains("vertical_fov_degrees")) {
+    const json& fov = root["vertical_fov_degrees"];
+    if (!fov.is_number() || !(fov > 0.0) || !(fov < 180.0)) {
+      fail(file, "\"vertical_fov_degrees\" is not a number between 0 and 180");
+    }
+    path.vertical_fov = static_cast<float>(glm::radians(fov.get<double>()));
+  }
+  const auto frames = root.find("frames");
+  if (frames == root.end() || !frames->is_array() || frames->empty()) {
+    fail(file, "is a tour without frames");
+  }
+  for (std::size_t i = 0; i < frames->size(); ++i) readFrame(file, i, (*frames)[i], path);
+  return path;
+}
+
+CameraPath readCameraPath(const std::string& file, double frames_per_second) {
+  const std::vector<std::uint8_t> bytes = readFile(file);
+  if (isGlb(bytes)) return readAnimatedCamera(file, frames_per_second);
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos) fail(file, "is empty");
+  if (text[start] != '{' && text[start] != '[') return readTum(file, text);
+
+  const json root = json::parse(text, nullptr, false);
+  if (root.is_discarded()) fail(file, "seems to be JSON, but is damaged or cut short");
+  if (root.is_object() && root.contains("asset")) {
+    return readAnimatedCamera(file, frames_per_second);
+  }
+  const json kind = root.is_object() ? root.value("enfilade", json()) : json();
+  if (kind == "tour") return readTour(file, root);
+  fail(file, kind.is_string() ? fmt::format("is an Enfilade \"{}\", not a tour",
+                                            oneLine(kind.get<std::string>(), 40))
+                              : "is JSON, but neither a tour nor glTF");
+}
+
+void writeCameraPath(const std::string& file, const CameraPath& path) {
+  const std::string name = json(path.name).dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string text = fmt::format(
+      "{{\n\"enfilade\": \"tour\",\n\"version\": 1,\n\"name\": {},\n\"vertical_fov_degrees\": {},\n"
+      "\"frames\": [",
+      name, glm::degrees(static_cast<double>(path.vertical_fov)));
+  for (std::size_t i = 0; i < path.poses.size(); ++i) {
+    text += i == 0 ? "\n" : ",\n";
+    text += textOfPose(path.poses[i], R"({{"t":{},"p":[{},{},{}],"q":[{},{},{},{}]}})");
+  }
+  writeFileAtomically(file, text + "\n]\n}\n");
+}
+
+void writeTumPath(const std::string& file, const CameraPath& path) {
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const TimedPose& pose : path.poses) text += textOfPose(pose, "{} {} {} {} {} {} {} {}\n");
+  writeFileAtomically(file, text);
+}
+
+}  // namespace enfilade

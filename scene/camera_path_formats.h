@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "scene/camera_path.h"
+
+namespace enfilade {
+
+/// One reader a format of camera path; `file` is for errors.  All throw Error (kBadInput).
+CameraPath readTour(const std::string& file, const nlohmann::json& root);
+CameraPath readTum(const std::string& file, std::string_view text);
+CameraPath readAnimatedCamera(const std::string& file, double frames_per_second);
+
+/// Appends a pose: checks that its numbers are finite, its rotation is one and its time is not
+/// before the last, and normalises the rotation.  `place` names it in errors: "frame 7".
+void appendPose(const std::string& file, const std::string& place, TimedPose pose,
+                CameraPath& path);
+
+}  // namespace enfilade
