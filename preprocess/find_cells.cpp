@@ -1,0 +1,178 @@
+// Haumont, Debeir & Sillion, Volumetric Cell-and-Portal Generation, 2003, for the idea of growing
+// cells from the wide parts of free space; the seeds come from a plan of each storey.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "preprocess/cell_proposal.h"
+#include "preprocess/fit_portal.h"
+#include "preprocess/grow_cells.h"
+#include "preprocess/interfaces.h"
+#include "preprocess/portal_kind.h"
+#include "preprocess/room_seeds.h"
+#include "preprocess/storeys.h"
+#include "preprocess/wall_faces.h"
+
+namespace enfilade {
+
+namespace {
+
+constexpr float kPlanar = 0.6f;  // less: the cells wind about each other, no plane parts them
+constexpr float kLargeInterface = 2.0f;  // [m²] of those, larger ones make one cell of two
+
+const char* nameOf(PortalKind kind) {
+  switch (kind) {
+    case PortalKind::kDoor:
+      return "door";
+    case PortalKind::kWindow:
+      return "window";
+    case PortalKind::kOpening:
+      break;
+  }
+  return "opening";
+}
+
+/// The height of most of a storey's floor [m].
+float floorHeight(const VoxelGrid& voxels, const WallFaces& walls, const StoreyBand& band) {
+  const float top = voxels.origin.y + float(band.floor + 1) * voxels.voxel;
+  TurnedBox box;
+  box.lo = voxels.origin;
+  box.hi = voxels.origin + glm::vec3(voxels.size) * voxels.voxel;
+  box.lo.y = top - 1.05f * voxels.voxel;
+  box.hi.y = top + 0.05f * voxels.voxel;
+  WallFaces::Face most{top, 0.0f};
+  for (const WallFaces::Face& face : walls.facesAcross(box, 1)) {
+    if (face.area > most.area) most = face;
+  }
+  return most.offset;
+}
+
+void nameStoreys(const VoxelGrid& voxels, const WallFaces& walls,
+                 const std::vector<StoreyBand>& bands, CellProposal& proposal) {
+  for (std::size_t s = 0; s < bands.size(); ++s) {
+    proposal.storeys.push_back(
+        {fmt::format("storey-{}", s + 1), floorHeight(voxels, walls, bands[s])});
+  }
+}
+
+void nameCells(CellProposal& proposal) {
+  const std::vector<int>& storeys = proposal.cell_storeys;
+  std::vector<int> rooms(proposal.storeys.size(), 0);
+  proposal.cell_names = {"exterior"};
+  for (std::size_t c = 1; c < storeys.size(); ++c) {
+    const int room = ++rooms[std::size_t(storeys[c])];
+    proposal.cell_names.push_back(proposal.storeys.size() > 1
+                                      ? fmt::format("storey-{} room-{}", storeys[c] + 1, room)
+                                      : fmt::format("room-{}", room));
+  }
+}
+
+/// Names each portal after its kind and cells, and numbers those that would be called the same.
+void namePortals(CellProposal& proposal) {
+  std::map<std::string, int> used;
+  for (Portal& portal : proposal.portals) {
+    portal.name = fmt::format("{}-{}-{}", nameOf(portal.kind), proposal.cell_names[portal.front],
+                              proposal.cell_names[portal.back]);
+    std::replace(portal.name.begin(), portal.name.end(), ' ', '-');
+    const int number = ++used[portal.name];
+    if (number > 1) portal.name += fmt::format("-{}", number);
+  }
+}
+
+/// The portals of all interfaces, and the pairs of cells that none can part.
+struct Fits {
+  std::vector<FittedPortal> portals;  ///< one an interface
+  std::vector<std::uint16_t> into;    ///< one a cell: itself, or the cell that it is to be part of
+  bool merged = false;
+};
+
+Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls,
+            const std::vector<Interface>& interfaces, CellProposal& proposal) {
+  Fits fits;
+  fits.into.resize(proposal.cell_storeys.size());
+  std::iota(fits.into.begin(), fits.into.end(), std::uint16_t{0});
+  for (const Interface& interface : interfaces) {
+    fits.portals.push_back(fitPortal(voxels, walls, interface));
+    const float area = float(interface.faces.size()) * voxels.voxel * voxels.voxel;
+    if (fits.portals.back().fitted || interface.planarity >= kPlanar || area < kLargeInterface) {
+      continue;
+    }
+    std::uint16_t a = interface.low, b = interface.high;
+    while (fits.into[a] != a) a = fits.into[a];
+    while (fits.into[b] != b) b = fits.into[b];
+    if (a == b) continue;
+    fits.into[std::max(a, b)] = std::min(a, b);
+    fits.merged = true;
+    proposal.log.push_back(
+        fmt::format("merged two rooms at ({:.1f}, {:.1f}, {:.1f}): no plane parts them",
+                    interface.centroid.x, interface.centroid.y, interface.centroid.z));
+  }
+  return fits;
+}
+
+/// Numbers the cells that are left, and their voxels.
+void mergeCells(std::vector<std::uint16_t> into, CellProposal& proposal) {
+  std::vector<std::uint16_t> number(into.size());
+  std::vector<int> kept;
+  for (std::size_t c = 0; c < into.size(); ++c) {
+    if (into[c] == c) {
+      number[c] = static_cast<std::uint16_t>(kept.size());
+      kept.push_back(proposal.cell_storeys[c]);
+    } else {
+      number[c] = number[into[c]];  // lower, so numbered before
+    }
+  }
+  for (std::uint16_t& owner : proposal.owner) {
+    if (owner != CellProposal::kNobody) owner = number[owner];
+  }
+  proposal.cell_storeys = kept;
+}
+
+void addPortals(const VoxelGrid& voxels, const std::vector<Interface>& interfaces,
+                const std::vector<FittedPortal>& fitted, CellProposal& proposal) {
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    Portal portal;
+    portal.polygon = fitted[i].polygon();
+    portal.plane = planeOf(portal.polygon);
+    portal.front = interfaces[i].low;
+    portal.back = interfaces[i].high;
+    portal.kind = kindOf(voxels, fitted[i], interfaces[i].low == kExterior);
+    const glm::vec3& at = fitted[i].center;
+    if (!fitted[i].fitted) {
+      proposal.log.push_back(
+          fmt::format("at ({:.1f}, {:.1f}, {:.1f}) no narrowest section: cut where the rooms met",
+                      at.x, at.y, at.z));
+    }
+    proposal.portals.push_back(std::move(portal));
+  }
+}
+
+}  // namespace
+
+CellProposal findCells(const Building& building, std::span<const ObjectRole> roles,
+                       const VoxelGrid& voxels, const CellParameters& parameters) {
+  const std::vector<StoreyBand> bands = findStoreys(voxels);
+  RoomSeeds seeds = seedRooms(voxels, bands, parameters);
+  growCells(voxels, seeds);
+  const WallFaces walls(building, roles);
+  CellProposal proposal;
+  proposal.owner = std::move(seeds.owner);
+  proposal.cell_storeys = std::move(seeds.storeys);
+  proposal.log = std::move(seeds.log);
+  nameStoreys(voxels, walls, bands, proposal);
+  std::vector<Interface> interfaces = findInterfaces(voxels, proposal.owner);
+  Fits fits = fitAll(voxels, walls, interfaces, proposal);
+  while (fits.merged) {
+    mergeCells(fits.into, proposal);
+    interfaces = findInterfaces(voxels, proposal.owner);
+    fits = fitAll(voxels, walls, interfaces, proposal);
+  }
+  nameCells(proposal);
+  addPortals(voxels, interfaces, fits.portals, proposal);
+  namePortals(proposal);
+  return proposal;
+}
+
+}  // namespace enfilade

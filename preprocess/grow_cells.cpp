@@ -1,0 +1,90 @@
+#include "preprocess/grow_cells.h"
+
+#include <array>
+
+namespace enfilade {
+
+namespace {
+
+constexpr std::array<glm::ivec3, 6> kSides{glm::ivec3{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1},
+                                           {0, -1, 0},           {0, 1, 0}};
+
+struct Grower {
+  const VoxelGrid& voxels;
+  const std::vector<SeedRange>& ranges;
+  std::vector<std::uint16_t>& owner;
+
+  std::size_t index(const glm::ivec3& v) const { return voxels.index(v.x, v.y, v.z); }
+
+  /// Outside the grid is free.
+  bool free(const glm::ivec3& v) const {
+    return !voxels.contains(v) || !(voxels.bits[index(v)] & kVoxelSolid);
+  }
+  bool crossFits(const glm::ivec3& v) const {
+    if (!free(v)) return false;
+    for (const glm::ivec3& side : kSides) {
+      if (!free(v + side)) return false;
+    }
+    return true;
+  }
+  /// Whether `v` lies in a cross of free voxels.
+  bool roomy(const glm::ivec3& v) const {
+    if (crossFits(v)) return true;
+    for (const glm::ivec3& side : kSides) {
+      if (crossFits(v + side)) return true;
+    }
+    return false;
+  }
+  bool unowned(const glm::ivec3& v) const {
+    return voxels.contains(v) && owner[index(v)] == CellProposal::kNobody &&
+           !(voxels.bits[index(v)] & kVoxelSolid);
+  }
+
+  /// Owned voxels with a free neighbour that nobody owns, in the grid's order.
+  std::vector<glm::ivec3> front() const {
+    std::vector<glm::ivec3> found;
+    glm::ivec3 v;
+    for (v.x = 0; v.x < voxels.size.x; ++v.x) {
+      for (v.z = 0; v.z < voxels.size.z; ++v.z) {
+        for (v.y = 0; v.y < voxels.size.y; ++v.y) {
+          if (owner[index(v)] == CellProposal::kNobody) continue;
+          for (const glm::ivec3& side : kSides) {
+            if (!unowned(v + side)) continue;
+            found.push_back(v);
+            break;
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  void grow(bool only_roomy, bool in_range) {
+    std::vector<glm::ivec3> now = front(), next;
+    while (!now.empty()) {
+      next.clear();
+      for (const glm::ivec3& v : now) {
+        for (const glm::ivec3& side : kSides) {
+          const glm::ivec3 to = v + side;
+          const std::uint16_t cell = owner[index(v)];
+          if (!unowned(to) || (only_roomy && !roomy(to))) continue;
+          if (in_range && (to.y < ranges[cell].begin_y || to.y >= ranges[cell].end_y)) continue;
+          owner[index(to)] = cell;
+          next.push_back(to);
+        }
+      }
+      std::swap(now, next);
+    }
+  }
+};
+
+}  // namespace
+
+void growCells(const VoxelGrid& voxels, RoomSeeds& seeds) {
+  Grower grower{voxels, seeds.ranges, seeds.owner};
+  grower.grow(true, true);
+  grower.grow(true, false);
+  grower.grow(false, false);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,168 @@
+#include "preprocess/storey_plan.h"
+
+#include <algorithm>
+#include <array>
+
+namespace enfilade {
+
+namespace {
+
+constexpr float kSkyShare = 0.5f;     // more of a basin open to the sky: exterior
+constexpr float kPorchShare = 0.3f;   // more of its outline open to the exterior: a porch
+constexpr float kWalledShare = 0.7f;  // of its outline: enclosed, though there be no roof
+constexpr float kRoofless = 3.0f;     // times more enclosed plan without a roof than with one
+
+constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+/// Calls visit(basin, here, there) for the outline of every basin.
+template <typename Visit>
+void forEachEdge(const StoreyPlan& plan, const Visit& visit) {
+  const StoreySlice& slice = plan.slice;
+  for (int x = 0; x < slice.size_x; ++x) {
+    for (int z = 0; z < slice.size_z; ++z) {
+      const std::size_t here = slice.index(x, z);
+      const std::int32_t basin = plan.basins.of_pixel[here];
+      if (basin == Basins::kNone) continue;
+      for (const auto& [dx, dz] : kSides) {
+        const int ox = x + dx, oz = z + dz;
+        if (ox < 0 || oz < 0 || ox >= slice.size_x || oz >= slice.size_z) continue;
+        const std::size_t there = slice.index(ox, oz);
+        if (plan.basins.of_pixel[there] != basin) visit(std::size_t(basin), here, there);
+      }
+    }
+  }
+}
+
+void measureBasins(StoreyPlan& plan) {
+  const StoreySlice& slice = plan.slice;
+  plan.uses.assign(plan.basins.peak.size(), {});
+  for (int x = 0; x < slice.size_x; ++x) {
+    for (int z = 0; z < slice.size_z; ++z) {
+      const std::size_t here = slice.index(x, z);
+      const std::int32_t basin = plan.basins.of_pixel[here];
+      if (basin == Basins::kNone) continue;
+      PlanBasin& use = plan.uses[std::size_t(basin)];
+      ++use.area;
+      use.open_to_sky += slice.open_to_sky[here];
+      use.at_border |= x == 0 || z == 0 || x + 1 == slice.size_x || z + 1 == slice.size_z;
+    }
+  }
+  forEachEdge(plan, [&](std::size_t basin, std::size_t, std::size_t there) {
+    ++plan.uses[basin].border;
+    if (slice.kind[there] != ColumnKind::kFree) ++plan.uses[basin].walled;
+  });
+}
+
+bool underSky(const PlanBasin& use) { return float(use.open_to_sky) > kSkyShare * float(use.area); }
+
+bool enclosed(const PlanBasin& use) {
+  return !use.at_border && float(use.walled) >= kWalledShare * float(use.border);
+}
+
+/// One past the solid run that stands in a wall column at the slice.
+std::int32_t wallTop(const VoxelGrid& voxels, const StoreySlice& slice, std::size_t column) {
+  const auto size_y = static_cast<std::size_t>(voxels.size.y);
+  std::int32_t y = slice.low[column];
+  while (y < voxels.size.y && (voxels.bits[column * size_y + std::size_t(y)] & kVoxelSolid)) ++y;
+  return y;
+}
+
+std::int32_t median(std::vector<std::int32_t>& values, std::int32_t otherwise) {
+  if (values.empty()) return otherwise;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Ceilings from the columns that have one, or else from the tops of the walls around.
+void setCeilings(const VoxelGrid& voxels, StoreyPlan& plan) {
+  const StoreySlice& slice = plan.slice;
+  std::vector<std::vector<std::int32_t>> highs(plan.uses.size()), tops(plan.uses.size());
+  for (std::size_t i = 0; i < slice.kind.size(); ++i) {
+    const std::int32_t basin = plan.basins.of_pixel[i];
+    if (basin != Basins::kNone && !slice.open_to_sky[i]) {
+      highs[std::size_t(basin)].push_back(slice.high[i]);
+    }
+  }
+  forEachEdge(plan, [&](std::size_t basin, std::size_t, std::size_t there) {
+    if (slice.kind[there] == ColumnKind::kWall && !plan.uses[basin].at_border) {
+      tops[basin].push_back(wallTop(voxels, slice, there));
+    }
+  });
+  for (std::size_t b = 0; b < plan.uses.size(); ++b) {
+    auto& values = underSky(plan.uses[b]) ? tops[b] : highs[b];
+    plan.uses[b].ceiling = median(values, voxels.size.y);
+  }
+}
+
+/// Gives porches to the exterior until none is left.
+int openPorches(StoreyPlan& plan) {
+  const auto is = [&](std::size_t basin, PlanBasin::Use use) {
+    return plan.uses[basin].use == use;
+  };
+  int porches = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (PlanBasin& use : plan.uses) use.to_exterior = 0;
+    forEachEdge(plan, [&](std::size_t basin, std::size_t, std::size_t there) {
+      const std::int32_t other = plan.basins.of_pixel[there];
+      if (other != Basins::kNone && is(std::size_t(other), PlanBasin::Use::kOutside)) {
+        ++plan.uses[basin].to_exterior;
+      }
+    });
+    for (PlanBasin& use : plan.uses) {
+      if (use.use != PlanBasin::Use::kRoom) continue;
+      if (float(use.to_exterior) > kPorchShare * float(use.border)) {
+        use.use = PlanBasin::Use::kOutside;
+        changed = true;
+        ++porches;
+      }
+    }
+  }
+  return porches;
+}
+
+}  // namespace
+
+StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
+                      const CellParameters& parameters) {
+  StoreyPlan plan{band, sliceStorey(voxels, band, parameters), {}, {}};
+  std::vector<std::uint8_t> inside(plan.slice.kind.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    inside[i] = plan.slice.kind[i] == ColumnKind::kFree;
+  }
+  const int size_x = plan.slice.size_x, size_z = plan.slice.size_z;
+  plan.basins =
+      watershed(squaredDistance(inside, size_x, size_z), size_x, size_z, parameters.merge_ratio);
+  measureBasins(plan);
+  return plan;
+}
+
+bool isRoofless(const std::vector<StoreyPlan>& plans) {
+  double with = 0, without = 0;
+  for (const StoreyPlan& plan : plans) {
+    for (const PlanBasin& use : plan.uses) {
+      if (!enclosed(use)) continue;
+      (underSky(use) ? without : with) += use.area;
+    }
+  }
+  return without > double(kRoofless) * with;
+}
+
+int classifyBasins(const VoxelGrid& voxels, const CellParameters& parameters, bool roofless,
+                   StoreyPlan& plan) {
+  const float pixel_area = voxels.voxel * voxels.voxel;
+  for (std::size_t b = 0; b < plan.uses.size(); ++b) {
+    PlanBasin& use = plan.uses[b];
+    if (use.at_border || (underSky(use) && !(roofless && enclosed(use)))) {
+      use.use = PlanBasin::Use::kOutside;
+    } else if (float(use.area) * pixel_area < parameters.smallest_room ||
+               plan.basins.peak[b] * voxels.voxel < 0.5f * parameters.smallest_door) {
+      use.use = PlanBasin::Use::kTooSmall;
+    }
+  }
+  setCeilings(voxels, plan);
+  return openPorches(plan);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "preprocess/storey_slice.h"
+#include "preprocess/watershed.h"
+
+namespace enfilade {
+
+/// A basin of a storey's plan, and what it borders on.
+struct PlanBasin {
+  enum class Use : std::uint8_t { kRoom, kOutside, kTooSmall };
+
+  Use use = Use::kRoom;
+  int area = 0;              ///< [pixels]
+  int open_to_sky = 0;       ///< [pixels]
+  bool at_border = false;    ///< of the grid
+  int border = 0;            ///< [pixel edges] its outline
+  int walled = 0;            ///< [pixel edges] of these, along walls, lintels, doors and glass
+  int to_exterior = 0;       ///< [pixel edges] of these, open to basins of the exterior
+  std::int32_t ceiling = 0;  ///< [voxel] columns open to the sky are taken to end here
+};
+
+/// A storey's rooms and exterior in plan.
+struct StoreyPlan {
+  StoreyBand band;
+  StoreySlice slice;
+  Basins basins;
+  std::vector<PlanBasin> uses;  ///< one a basin
+};
+
+StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
+                      const CellParameters& parameters);
+
+/// Whether hardly any enclosed basin has a roof.
+bool isRoofless(const std::vector<StoreyPlan>& plans);
+
+/// Decides what is exterior and what is too small to be a room, and sets the ceilings.  Returns the
+/// number of porches that went to the exterior.
+int classifyBasins(const VoxelGrid& voxels, const CellParameters& parameters, bool roofless,
+                   StoreyPlan& plan);
+
+}  // namespace enfilade
