@@ -53,12 +53,14 @@ std::string portalImageFolder(const std::string& folder, PortalId portal, bool f
 /// Whether `path` is a folder with a house.json.
 bool isHouse(const std::string& path);
 
-/// Writes house.json, geometry.glb and cells.grid; house.json last, so that a folder without one is
-/// no house. The same bytes for the same house.  Throws Error (kMachine).
+/// Writes house.json, geometry.glb and cells.grid; house.json last, an old one removed first, so
+/// that a folder without one is no house.  Images that stand in the folder are left as they are.
+/// The same bytes for the same house.  Throws Error (kMachine).
 void writeHouse(const std::string& folder, const House& house);
 
 /// Throws Error (kBadInput) that names the file and the reason: not a house, another format
-/// version, cut short, a checksum that does not match, ids out of range.
+/// version, cut short, a checksum that does not match (each of the three files has one), ids out of
+/// range.
 House readHouse(const std::string& folder);
 
 }  // namespace enfilade
