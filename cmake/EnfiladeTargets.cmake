@@ -37,3 +37,22 @@ function(enfilade_tests folder)
   target_compile_definitions(${folder}_tests PRIVATE ENFILADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${folder}_tests DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
 endfunction()
+
+# enfilade_embed(TARGET HEADER NAME FILE [NAME FILE ...]): the bytes of each FILE as the string_view
+# enfilade::NAME, declared in HEADER; a FILE that was not found is empty.
+function(enfilade_embed target header)
+  set(pairs ${ARGN})
+  set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake)
+  while(pairs)
+    list(POP_FRONT pairs name file)
+    if(NOT EXISTS "${file}")
+      set(file "")
+    endif()
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    add_custom_command(OUTPUT ${output}
+      COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DINPUT=${file} -DHEADER=${header} -DOUTPUT=${output}
+              -P ${script}
+      DEPENDS ${script} ${file} VERBATIM)
+    target_sources(${target} PRIVATE ${output})
+  endwhile()
+endfunction()

@@ -1,0 +1,102 @@
+#include "app/frame_painter.h"
+
+#include <algorithm>
+
+#include "app/stopwatch.h"
+
+namespace enfilade {
+
+FramePainter::FramePainter(GlContext& context, const House& house, const PortalImages& images,
+                           int width, int height, int threads)
+    : house_(house),
+      objects_(house),
+      renderer_(context, house.building),
+      pictures_(house, images, width, height),
+      width_(width),
+      height_(height),
+      threads_(threads) {}
+
+void FramePainter::prepare(Method method) {
+  if (method != Method::kRaycast || rays_) return;
+  std::vector<std::uint8_t> hidden;
+  for (const ObjectRole role : house_.object_roles) hidden.push_back(role == ObjectRole::kDoor);
+  rays_ = std::make_unique<RayCaster>(house_.building, hidden, threads_);
+}
+
+FrameCost FramePainter::paint(Method method, const Camera& camera) {
+  prepare(method);
+  FrameCost cost;
+  const MethodInfo& info = infoOf(method);
+  const Stopwatch watch;
+  if (method == Method::kRaycast) {
+    paintRays(camera, cost);
+  } else if (info.by_cells) {
+    paintCells(camera, info.portal_images, cost);
+  } else {
+    paintView(camera, cost);
+  }
+  cost.frametime_ms = watch.totalMs();
+  last_by_rays_ = method == Method::kRaycast;
+  return cost;
+}
+
+void FramePainter::paintView(const Camera& camera, FrameCost& cost) {
+  Stopwatch watch;
+  const View view = camera.view();
+  const std::vector<std::uint32_t> objects = objects_.inFrustum(view);
+  cost.cull_ms = watch.lapMs();
+  renderer_.begin(width_, height_);
+  cost.triangles = renderer_.draw(objects, view).triangles;
+  renderer_.finish();
+  cost.draw_ms = watch.lapMs();
+}
+
+void FramePainter::paintRays(const Camera& camera, FrameCost& cost) {
+  Stopwatch watch;
+  rays_->render(camera, width_, height_, ray_picture_);
+  cost.draw_ms = watch.lapMs();
+}
+
+void FramePainter::paintCells(const Camera& camera, bool portal_images, FrameCost& cost) {
+  Stopwatch watch;
+  const View view = camera.view();
+  const CellId eye_cell = locate(house_.graph, house_.grid, view.eye).cell;
+  ShowAsImage show_as_image;
+  if (portal_images) {
+    show_as_image = [&](const Portal&, PortalId id, bool from_front) {
+      return pictures_.showsImage(view.eye, id, from_front);
+    };
+  }
+  const VisibleSet set = cullByPortals(house_.graph, view, eye_cell, show_as_image);
+  const std::vector<std::uint32_t> objects = objects_.visible(set);
+  cost.cull_ms = watch.lapMs();
+  cost.cells = set.cells.size();
+  cost.portals = set.portals.size();
+  renderer_.begin(width_, height_);
+  double draw_ms = watch.lapMs();
+  if (portal_images) pictures_.draw(set, camera, renderer_, cost);
+  watch.lapMs();
+  cost.triangles = renderer_.draw(objects, view).triangles;
+  renderer_.finish();
+  cost.draw_ms = draw_ms + watch.lapMs();
+}
+
+void FramePainter::read(Image& out) {
+  if (last_by_rays_) {
+    out = ray_picture_;
+  } else {
+    renderer_.readColor(out);
+  }
+}
+
+Camera walkingCamera(const House& house, float vertical_fov, int width, int height) {
+  Camera camera;
+  camera.vertical_fov = vertical_fov;
+  camera.aspect = static_cast<float>(width) / static_cast<float>(height);
+  const Box bounds = worldBounds(house.building);
+  // A walker may stand outside, about as far from the building as the building is large.
+  if (!bounds.empty()) camera.far_plane = std::max(100.0f, 2.0f * glm::length(bounds.size()));
+  return camera;
+}
+
+}  // namespace enfilade

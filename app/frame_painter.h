@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/frame_record.h"
+#include "app/portal_pictures.h"
+#include "render/ray_caster.h"
+#include "visibility/object_index.h"
+
+namespace enfilade {
+
+/// Makes a frame of a walk by any method and tells what it cost.  The same pixels for the same
+/// pose, run after run.
+class FramePainter {
+ public:
+  /// `threads`: of the ray caster, 0: as many as the machine has.  All must outlive the painter.
+  /// Throws Error (kMachine).
+  FramePainter(GlContext& context, const House& house, const PortalImages& images, int width,
+               int height, int threads);
+
+  /// Builds what `method` needs beforehand, so that its first frame does not pay for it.
+  void prepare(Method method);
+
+  /// Paints the frame that `camera` sees and waits until it is done.
+  FrameCost paint(Method method, const Camera& camera);
+
+  /// The frame painted last.
+  void read(Image& out);
+
+  int width() const noexcept { return width_; }
+  int height() const noexcept { return height_; }
+
+ private:
+  void paintView(const Camera& camera, FrameCost& cost);
+  void paintRays(const Camera& camera, FrameCost& cost);
+  void paintCells(const Camera& camera, bool portal_images, FrameCost& cost);
+
+  const House& house_;
+  ObjectIndex objects_;
+  Renderer renderer_;
+  PortalPictures pictures_;
+  std::unique_ptr<RayCaster> rays_;
+  Image ray_picture_;
+  int width_, height_, threads_;
+  bool last_by_rays_ = false;
+};
+
+/// A camera for walking through `house`: everything in it lies before the far plane.
+Camera walkingCamera(const House& house, float vertical_fov, int width, int height);
+
+}  // namespace enfilade

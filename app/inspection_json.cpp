@@ -1,0 +1,127 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/inspection.h"
+#include "app/portal_size.h"
+
+namespace enfilade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// To a tenth of a millimetre: a float's own digits beyond that read badly.
+double tidy(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
+
+Json vectorJson(const glm::vec3& v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
+
+Json boxJson(const Box& box) {
+  if (box.empty()) return nullptr;
+  return {{"min", vectorJson(box.min)}, {"max", vectorJson(box.max)}};
+}
+
+Json buildingJson(const BuildingFacts& f) {
+  Json json{{"triangles", f.triangles},
+            {"objects", f.objects},
+            {"meshes", f.meshes},
+            {"nodes", f.nodes},
+            {"materials",
+             {{"count", f.materials},
+              {"masked", f.masked},
+              {"blended", f.blended},
+              {"double_sided", f.double_sided}}},
+            {"images", {{"count", f.images}, {"pixels", f.image_pixels}}},
+            {"bounds", boxJson(f.bounds)},
+            {"degenerate_triangles", f.degenerate},
+            {"rooms_named", f.rooms_named},
+            {"portals_named", f.portals_named}};
+  json["ifc_classes"] = Json::object();
+  for (const auto& [name, count] : f.classes) json["ifc_classes"][name] = count;
+  return json;
+}
+
+Json storeysJson(const CellGraph& graph) {
+  Json json = Json::array();
+  for (const Storey& storey : graph.storeys) {
+    json.push_back({{"name", storey.name}, {"floor_y", tidy(storey.floor_y)}});
+  }
+  return json;
+}
+
+Json cellsJson(const CellGraph& graph) {
+  Json json = Json::array();
+  for (std::size_t c = 0; c < graph.cells.size(); ++c) {
+    const Cell& cell = graph.cells[c];
+    json.push_back({{"id", c},
+                    {"name", cell.name},
+                    {"exterior", c == kExterior},
+                    {"storey", cell.storey},
+                    {"floor_area_m2", tidy(cell.floor_area)},
+                    {"volume_m3", tidy(cell.volume)},
+                    {"bounds", boxJson(cell.bounds)},
+                    {"portals", cell.portals}});
+  }
+  return json;
+}
+
+Json portalsJson(const CellGraph& graph) {
+  Json json = Json::array();
+  for (std::size_t p = 0; p < graph.portals.size(); ++p) {
+    const Portal& portal = graph.portals[p];
+    const glm::vec2 size = portalSize(portal);
+    Json polygon = Json::array();
+    for (const glm::vec3& corner : portal.polygon) polygon.push_back(vectorJson(corner));
+    json.push_back({{"id", p},
+                    {"name", portal.name},
+                    {"kind", kindName(portal.kind)},
+                    {"front", portal.front},
+                    {"back", portal.back},
+                    {"width_m", tidy(size.x)},
+                    {"height_m", tidy(size.y)},
+                    {"area_m2", tidy(portal.area())},
+                    {"two_way", portal.two_way},
+                    {"active", portal.active},
+                    {"polygon", polygon}});
+  }
+  return json;
+}
+
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string modelJson(const std::string& file, const Building& building,
+                      const std::vector<std::string>& warnings) {
+  const BuildingFacts facts = describeBuilding(building);
+  std::vector<std::string> problems = buildingProblems(facts);
+  problems.insert(problems.begin(), warnings.begin(), warnings.end());
+  return dumped({{"schema", 1},
+                 {"kind", "model"},
+                 {"file", file},
+                 {"copyright", building.copyright},
+                 {"building", buildingJson(facts)},
+                 {"problems", problems}});
+}
+
+std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides) {
+  return dumped({{"schema", 1},
+                 {"kind", "house"},
+                 {"folder", folder},
+                 {"model", {{"name", house.info.model_name}, {"sha256", house.info.model_sha256}}},
+                 {"tool_version", house.info.tool_version},
+                 {"building", buildingJson(describeBuilding(house.building))},
+                 {"storeys", storeysJson(house.graph)},
+                 {"cells", cellsJson(house.graph)},
+                 {"portals", portalsJson(house.graph)},
+                 {"image_sides", image_sides},
+                 {"switch_distance_m", tidy(house.switch_distance)},
+                 {"eye_height_m", tidy(house.eye_height)},
+                 {"parameters", house.info.parameters},
+                 {"statistics", house.info.statistics},
+                 {"log", house.info.log},
+                 {"problems", houseProblems(house)}});
+}
+
+}  // namespace enfilade

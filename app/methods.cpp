@@ -1,0 +1,54 @@
+#include "app/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "scene/error.h"
+
+namespace enfilade {
+
+namespace {
+
+constexpr std::array<MethodInfo, 4> kMethods = {{
+    {Method::kGeometry, "geometry", "everything in the view, the ground truth", false, false},
+    {Method::kRaycast, "raycast", "everything, by primary rays (Embree)", false, false},
+    {Method::kCulling, "culling", "only what can be seen through portals", true, false},
+    {Method::kLdi, "ldi", "far portals show a layered depth image, warped", true, true},
+}};
+
+}  // namespace
+
+std::span<const MethodInfo> allMethods() { return kMethods; }
+
+const MethodInfo& infoOf(Method method) { return kMethods[static_cast<std::size_t>(method)]; }
+
+std::string methodNames() {
+  std::string names;
+  for (const MethodInfo& info : kMethods)
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
+std::vector<Method> parseMethods(const std::string& list) {
+  std::vector<Method> found;
+  std::istringstream stream(list);
+  for (std::string name; std::getline(stream, name, ',');) {
+    const auto info = std::find_if(kMethods.begin(), kMethods.end(),
+                                   [&](const MethodInfo& m) { return name == m.name; });
+    if (info == kMethods.end()) {
+      throw Error(ErrorKind::kUsage, "'" + name + "'",
+                  "no such method; there are: " + methodNames());
+    }
+    if (std::find(found.begin(), found.end(), info->method) != found.end()) {
+      throw Error(ErrorKind::kUsage, "'" + name + "'", "this method is named twice");
+    }
+    found.push_back(info->method);
+  }
+  if (found.empty()) {
+    throw Error(ErrorKind::kUsage, "--methods", "none named; there are: " + methodNames());
+  }
+  return found;
+}
+
+}  // namespace enfilade
