@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,6 +12,14 @@
 
 namespace enfilade {
 
+/// A ray between two distances from its origin.
+struct Ray {
+  glm::vec3 origin{0};  ///< world [m]
+  glm::vec3 unit_direction{0, 0, -1};
+  float min_distance = 0;  ///< [m]
+  float max_distance = 0;  ///< [m]
+};
+
 /// What a ray met.
 struct RayHit {
   float distance = 0;              ///< [m] along the unit direction; < 0: nothing
@@ -19,7 +29,8 @@ struct RayHit {
 
 /// Primary rays through a building by Embree, shaded like the renderer (textures trilinear, masks
 /// tested, blended material blended): what a user without a GPU would pick today.  The same pixels
-/// for any number of threads.
+/// for any number of threads.  Where surfaces coincide any one of them is met, the same in every
+/// run.
 class RayCaster {
  public:
   /// `hidden`: one flag an object (not 0: hidden), or empty; hidden objects are not there (doors
@@ -33,10 +44,14 @@ class RayCaster {
   void render(const Camera& camera, int width, int height, Image& out) const;
 
   /// The first surface that a ray meets within `max_distance` beyond `min_distance`.  Masked-out
-  /// texels and, when `through_blended`, blended material are passed.  Back faces of single-sided
-  /// material are passed, as they are not drawn.
+  /// texels (of the texture's finest level) and, when `through_blended`, blended material are
+  /// passed.  Back faces of single-sided material are passed, as they are not drawn.  Thread-safe.
   RayHit cast(const glm::vec3& origin, const glm::vec3& unit_direction, float min_distance,
               float max_distance, bool through_blended) const;
+
+  /// The same for many rays at once, on all threads: hits[i] is what rays[i] met.  Rays that start
+  /// near each other in about one direction are best kept together.
+  void cast(std::span<const Ray> rays, bool through_blended, std::span<RayHit> hits) const;
 
  private:
   struct Impl;

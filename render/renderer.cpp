@@ -33,6 +33,7 @@ struct Program {
   GLuint name = 0;
   GLint clip_from_world = -1;
   GLint cutoff = -1;
+  bool has_matrix = false;  // of the call at hand
 };
 
 /// Window rows grow upwards in OpenGL.  We draw upside down, so that row 0 is the top row and
@@ -56,8 +57,8 @@ struct Renderer::Impl {
   DrawCounts draw(std::span<const std::uint32_t> objects, const View& view);
   void drawBlended(const View& view, DrawCounts& counts);
   void drawRuns(std::span<const std::uint32_t> objects, DrawCounts& counts);
-  void setState(std::uint32_t state);
-  const Program& program(const ProgramVariant& variant);
+  void setState(std::uint32_t from, std::uint32_t to);
+  Program& program(const ProgramVariant& variant);
 
   GlContext& context;
   const GlFunctions& gl;
@@ -151,7 +152,7 @@ void Renderer::Impl::chooseStates(const Building& building) {
   }
 }
 
-const Program& Renderer::Impl::program(const ProgramVariant& variant) {
+Program& Renderer::Impl::program(const ProgramVariant& variant) {
   Program& p = programs[variant.index()];
   if (p.name == 0) {
     p.name = createProgram(gl, vertexShader(variant), fragmentShader(variant), kVertexAttributes);
@@ -179,16 +180,21 @@ void Renderer::Impl::begin(int width, int height) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Renderer::Impl::setState(std::uint32_t state_index) {
-  const DrawState& state = states[state_index];
-  const Program& p = program(state.variant);
-  gl.UseProgram(p.name);
-  gl.UniformMatrix4fv(p.clip_from_world, 1, GL_FALSE, &clip_from_world[0][0]);
+void Renderer::Impl::setState(std::uint32_t from, std::uint32_t to) {
+  // Each change costs the driver some microseconds, so only what differs is set.
+  static constexpr DrawState kNothing;
+  const DrawState& old = from == kNone ? kNothing : states[from];
+  const DrawState& state = states[to];
+  Program& p = program(state.variant);
+  if (from == kNone || old.variant.index() != state.variant.index()) gl.UseProgram(p.name);
+  if (!p.has_matrix) gl.UniformMatrix4fv(p.clip_from_world, 1, GL_FALSE, &clip_from_world[0][0]);
+  p.has_matrix = true;
   if (p.cutoff >= 0) gl.Uniform1f(p.cutoff, state.cutoff);
   if (state.variant.textured) {
-    gl.BindTexture(GL_TEXTURE_2D, state.texture);
-    gl.BindSampler(0, state.sampler);
+    if (old.texture != state.texture) gl.BindTexture(GL_TEXTURE_2D, state.texture);
+    if (old.sampler != state.sampler) gl.BindSampler(0, state.sampler);
   }
+  if (from != kNone && old.variant.double_sided == state.variant.double_sided) return;
   if (state.variant.double_sided) {
     gl.Disable(GL_CULL_FACE);
   } else {
@@ -206,8 +212,8 @@ void Renderer::Impl::drawRuns(std::span<const std::uint32_t> objects, DrawCounts
   for (const std::uint32_t o : objects) {
     if (state_of[o] != current) {
       flush();
+      setState(current, state_of[o]);
       current = state_of[o];
-      setState(current);
     }
     list.add(ranges[o].first, ranges[o].count);
     counts.triangles += ranges[o].count / 3;
@@ -234,6 +240,7 @@ void Renderer::Impl::drawBlended(const View& view, DrawCounts& counts) {
 DrawCounts Renderer::Impl::draw(std::span<const std::uint32_t> objects, const View& view) {
   assert(std::is_sorted(objects.begin(), objects.end()));
   clip_from_world = upsideDown(view.clip_from_world);
+  for (Program& p : programs) p.has_matrix = false;
   opaque_objects.clear();
   blended_objects.clear();
   for (const std::uint32_t o : objects) {

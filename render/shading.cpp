@@ -5,12 +5,12 @@
 namespace enfilade {
 
 float skyAndSun(const glm::vec3& normal) noexcept {
-  // A linear term tells opposite faces apart, floor from ceiling first of all; a high sun, squared
-  // so that it fades in smoothly, models round things.
-  constexpr glm::vec3 kSlope(0.085f, 0.12f, 0.05f);
-  constexpr glm::vec3 kSun(0.36f, 0.80f, 0.48f);  // unit
+  // A linear term tells the six ways that walls, floors and ceilings face apart; a high sun,
+  // squared so that it fades in smoothly, models round things.
+  constexpr glm::vec3 kSlope(0.08f, 0.15f, 0.03f);
+  constexpr glm::vec3 kSun(0.645f, 0.76f, 0.08f);  // unit
   const float sun = std::max(0.0f, glm::dot(normal, kSun));
-  return 0.72f + glm::dot(normal, kSlope) + 0.12f * sun * sun;
+  return 0.73f + glm::dot(normal, kSlope) + 0.12f * sun * sun;
 }
 
 glm::vec4 encodeTint(const glm::vec4& linear) noexcept {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/shading.h"
 #include "scene/error.h"
 #include "tests/render/test_scenes.h"
 
@@ -82,6 +84,168 @@ TEST(Renderer, BackFacesAreDrawnOnlyOfDoubleSidedMaterial) {
       const Image image = draw(building, camera, kWidth, kHeight);
       EXPECT_EQ(pixelAt(image, 40, 32), from_behind && !double_sided ? kSky : kRed);
     }
+  }
+}
+
+TEST(Renderer, MirroredObjectsKeepTheirFrontAndTheirLight) {
+  const auto drawn = [&](const std::array<glm::vec3, 4>& corners, const glm::mat4& transform) {
+    Building building;
+    Material material;
+    material.base_color = {0.5f, 0.5f, 0.5f, 1};
+    addQuad(building, corners, material, transform);
+    return draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  };
+  const auto corners = rectangle({-1, -1}, {1, 1}, -2);
+  const glm::mat4 mirror = glm::scale(glm::mat4(1), glm::vec3(-1, 1, 1));
+  const Image plain = drawn(corners, glm::mat4(1));
+  EXPECT_NE(pixelAt(plain, 40, 32), kSky);
+  EXPECT_EQ(drawn(corners, mirror).rgba, plain.rgba);
+  // Mirrored in depth it looks away.
+  const auto behind = rectangle({-1, -1}, {1, 1}, 2);
+  const Image away = drawn(behind, glm::scale(glm::mat4(1), glm::vec3(1, 1, -1)));
+  EXPECT_EQ(pixelAt(away, 40, 32), kSky);
+}
+
+TEST(Renderer, BackFacesAreLitByTheirReversedNormal) {
+  const auto drawn = [&](bool turned) {
+    Building building;
+    Material material;
+    material.double_sided = true;
+    auto corners = rectangle({-1, -1}, {1, 1}, -2);
+    if (turned) std::swap(corners[1], corners[3]);
+    addQuad(building, corners, material);
+    return pixelAt(draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight), 40, 32);
+  };
+  EXPECT_EQ(drawn(false), drawn(true));
+}
+
+TEST(Renderer, ColorIsBaseColorTimesVertexColorTimesTheLight) {
+  Building building;
+  Material material;
+  material.base_color = {0.8f, 0.4f, 0.2f, 1};
+  addQuad(building, rectangle({-3, -3}, {3, 3}, -2), material);
+  building.vertex_arrays[0].colors.assign(4, glm::u16vec4(32768, 65535, 6554, 65535));
+  const glm::ivec4 pixel =
+      pixelAt(draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight), 40, 32);
+  const double light = skyAndSun({0, 0, 1});
+  const glm::dvec3 linear(0.8 * 32768 / 65535, 0.4, 0.2 * 6554 / 65535);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(pixel[c], 255 * light * std::pow(linear[c], 1 / 2.2), 0.51) << "channel " << c;
+  }
+}
+
+TEST(Renderer, TextureStandsUprightAndIsShownAsStored) {
+  Building building;
+  Material material = unlitMaterial({1, 1, 1, 1});
+  material.image = 0;
+  material.nearest_filter = true;
+  material.wrap_s = material.wrap_t = Wrap::kClampToEdge;
+  Image image;
+  image.width = image.height = 2;
+  image.rgba = {10, 20, 30, 255, 255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255};
+  building.images.push_back({"", image, {}, ""});
+  addQuad(building, pixelQuad(20, 12, 60, 52), material);
+  const Image drawn = draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  EXPECT_EQ(pixelAt(drawn, 21, 13), glm::ivec4(10, 20, 30, 255));
+  EXPECT_EQ(pixelAt(drawn, 58, 13), kRed);
+  EXPECT_EQ(pixelAt(drawn, 21, 50), kGreen);
+  EXPECT_EQ(pixelAt(drawn, 58, 50), kBlue);
+}
+
+TEST(Renderer, FarTexturesAreAveragedByMipLevels) {
+  Building building;
+  Material material = unlitMaterial({1, 1, 1, 1});
+  material.image = 0;
+  building.images.push_back({"", checkers(64, 1, {0, 0, 0, 255}, {200, 100, 50, 255}), {}, ""});
+  addQuad(building, rectangle({-30, -30}, {30, 30}, -10), material);
+  building.vertex_arrays[0].texcoords = {{0, 0}, {40, 0}, {40, 40}, {0, 40}};
+  const Image drawn = draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      EXPECT_LE(glm::length(glm::vec4(pixelAt(drawn, x, y) - glm::ivec4(100, 50, 25, 255))), 2.0f);
+    }
+  }
+}
+
+TEST(Renderer, MaskedTexelsBelowTheCutoffLetThroughWhatIsBehind) {
+  Building building;
+  Material mask = unlitMaterial({1, 0, 0, 1});
+  mask.image = 0;
+  mask.nearest_filter = true;
+  mask.alpha_mode = AlphaMode::kMask;
+  mask.alpha_cutoff = 0.5f;
+  Image image;
+  image.width = 2;
+  image.height = 1;
+  image.rgba = {255, 255, 255, 127, 255, 255, 255, 128};
+  building.images.push_back({"", image, {}, ""});
+  addQuad(building, pixelQuad(0, 0, kWidth, kHeight), mask);
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -3), unlitMaterial({0, 0, 1, 1}));
+  const Image drawn = draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  EXPECT_EQ(pixelAt(drawn, 10, 32), kBlue);
+  EXPECT_EQ(pixelAt(drawn, 70, 32), kRed);
+}
+
+TEST(Renderer, BlendedObjectsAreDrawnLastAndFarthestFirst) {
+  const auto pane = [](const glm::vec3& color) {
+    Material material = unlitMaterial({color, 0.5f});
+    material.alpha_mode = AlphaMode::kBlend;
+    return material;
+  };
+  Building building;
+  addQuad(building, rectangle({-1, -1}, {1, 1}, -2), pane({1, 0, 0}));
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -4), pane({0, 1, 0}));
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -6), unlitMaterial({0, 0, 1, 1}));
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -8), pane({1, 1, 1}));
+  const Image drawn = draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  const glm::ivec4 through_both = pixelAt(drawn, 40, 32);
+  EXPECT_NEAR(through_both.r, 127.5, 1.6);
+  EXPECT_NEAR(through_both.g, 63.75, 1.6);
+  EXPECT_NEAR(through_both.b, 63.75, 1.6);
+  EXPECT_EQ(through_both.a, 255);
+  const glm::ivec4 through_green = pixelAt(drawn, 2, 32);
+  EXPECT_NEAR(through_green.g, 127.5, 1.6);
+  EXPECT_NEAR(through_green.b, 127.5, 1.6);
+}
+
+TEST(Renderer, OfCoplanarFacesTheFirstObjectIsSeen) {
+  Building building;
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -2), unlitMaterial({1, 0, 0, 1}));
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -2), unlitMaterial({0, 1, 0, 1}));
+  const Image drawn = draw(building, frontCamera(kWidth, kHeight), kWidth, kHeight);
+  EXPECT_EQ(pixelAt(drawn, 40, 32), kRed);
+}
+
+TEST(Renderer, ObjectsOfOneStateShareADrawCall) {
+  Building building;
+  for (int i = 0; i < 10; ++i) {
+    addQuad(building, rectangle({-1, -1}, {1, 1}, -2.0f - static_cast<float>(i)),
+            unlitMaterial({0.1f * static_cast<float>(i), 0, 0, 1}));
+  }
+  Renderer renderer(sharedContext(), building);
+  renderer.begin(kWidth, kHeight);
+  const std::vector<std::uint32_t> some = {0, 1, 2, 5, 6, 9};
+  const DrawCounts counts = renderer.draw(some, frontCamera(kWidth, kHeight).view());
+  EXPECT_EQ(counts.triangles, 12u);
+  EXPECT_EQ(counts.draw_calls, 1u);
+}
+
+TEST(Renderer, FramesOfChangingSizeStartAfresh) {
+  Building building;
+  addQuad(building, rectangle({-9, -9}, {9, 9}, -2), unlitMaterial({1, 0, 0, 1}));
+  Renderer renderer(sharedContext(), building);
+  Image image;
+  std::vector<float> depth;
+  for (const glm::ivec2 size : {glm::ivec2(40, 32), glm::ivec2(7, 3), glm::ivec2(333, 222)}) {
+    renderer.begin(size.x, size.y);
+    renderer.draw(allObjects(building), frontCamera(size.x, size.y).view());
+    renderer.begin(size.x, size.y);
+    renderer.readColor(image);
+    renderer.readDepth(depth);
+    EXPECT_EQ(image.width, size.x);
+    EXPECT_EQ(image.height, size.y);
+    EXPECT_EQ(pixelAt(image, size.x - 1, size.y - 1), kSky);
+    EXPECT_EQ(depth, std::vector<float>(static_cast<std::size_t>(size.x * size.y), 1.0f));
   }
 }
 

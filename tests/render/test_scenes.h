@@ -60,6 +60,19 @@ inline std::array<glm::vec3, 4> rectangle(const glm::vec2& low, const glm::vec2&
           glm::vec3(low.x, high.y, z)};
 }
 
+/// A square picture of `size` texels, checkered in squares of `square`.
+inline Image checkers(int size, int square, const glm::ivec4& a, const glm::ivec4& b) {
+  Image image;
+  image.width = image.height = size;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const glm::ivec4& color = (x / square + y / square) % 2 == 0 ? a : b;
+      for (int c = 0; c < 4; ++c) image.rgba.push_back(static_cast<std::uint8_t>(color[c]));
+    }
+  }
+  return image;
+}
+
 inline std::vector<std::uint32_t> allObjects(const Building& building) {
   std::vector<std::uint32_t> objects(building.objects.size());
   std::iota(objects.begin(), objects.end(), 0u);

@@ -1,0 +1,125 @@
+#include "render/embree_scene.h"
+
+#include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
+
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+struct Context {
+  RTCIntersectContext embree;  // first: Embree hands back a pointer to it
+  const RayQuery* query;
+};
+
+Context contextOf(const RayQuery& query, bool coherent) {
+  Context context;
+  rtcInitIntersectContext(&context.embree);
+  if (coherent) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.query = &query;
+  return context;
+}
+
+bool needsFilter(const Material& material) {
+  return !material.double_sided || material.alpha_mode != AlphaMode::kOpaque;
+}
+
+}  // namespace
+
+struct EmbreeScene::Filter {
+  /// Whether the ray goes on through the surface that it met.
+  static bool passes(const Filtered& filtered, const RayQuery& query, unsigned int triangle,
+                     float u, float v, const glm::vec3& direction, const glm::vec3& normal,
+                     float distance) {
+    const Material& material = filtered.surfaces->material(filtered.object);
+    if (!material.double_sided && glm::dot(normal, direction) > 0.0f) return true;
+    if (material.alpha_mode == AlphaMode::kBlend) return query.through_blended;
+    if (material.alpha_mode != AlphaMode::kMask) return false;
+    const Surfaces& surfaces = *filtered.surfaces;
+    const PixelRay ray{direction, query.right, query.down};
+    const SurfaceTriangle met = surfaces.triangle(filtered.object, triangle);
+    return surfaces.color(met, u, v, ray, distance).a < material.alpha_cutoff;
+  }
+
+  static void run(const RTCFilterFunctionNArguments* a) {
+    const auto& filtered = *static_cast<const Filtered*>(a->geometryUserPtr);
+    const RayQuery& query = *reinterpret_cast<const Context*>(a->context)->query;
+    const unsigned int n = a->N;
+    for (unsigned int i = 0; i < n; ++i) {
+      if (a->valid[i] != -1) continue;
+      const glm::vec3 direction(RTCRayN_dir_x(a->ray, n, i), RTCRayN_dir_y(a->ray, n, i),
+                                RTCRayN_dir_z(a->ray, n, i));
+      const glm::vec3 normal(RTCHitN_Ng_x(a->hit, n, i), RTCHitN_Ng_y(a->hit, n, i),
+                             RTCHitN_Ng_z(a->hit, n, i));
+      if (passes(filtered, query, RTCHitN_primID(a->hit, n, i), RTCHitN_u(a->hit, n, i),
+                 RTCHitN_v(a->hit, n, i), direction, normal, RTCRayN_tfar(a->ray, n, i))) {
+        a->valid[i] = 0;
+      }
+    }
+  }
+};
+
+EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
+                         std::span<const std::uint8_t> hidden)
+    : surfaces_(surfaces) {
+  device_ = rtcNewDevice(nullptr);
+  if (device_ == nullptr) throw Error(ErrorKind::kMachine, "Embree", "cannot be started");
+  scene_ = rtcNewScene(device_);
+  // Watertight: no ray slips through where two triangles meet.
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  filtered_.resize(building.objects.size());
+  for (std::uint32_t o = 0; o < building.objects.size(); ++o) {
+    filtered_[o] = {&surfaces_, o};
+    if (o < hidden.size() && hidden[o] != 0) continue;
+    if (surfaces_.world().objects[o].count == 0) continue;
+    addObject(o, needsFilter(surfaces_.material(o)));
+  }
+  // On one thread, so that where surfaces coincide the same one is met in every run.
+  tbb::task_arena(1).execute([&] { rtcJoinCommitScene(scene_); });
+  check();
+}
+
+EmbreeScene::~EmbreeScene() {
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+}
+
+void EmbreeScene::addObject(std::uint32_t object, bool filtered) {
+  const WorldGeometry& world = surfaces_.world();
+  const IndexRange& range = world.objects[object];
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             world.vertices.data(), offsetof(WorldVertex, position),
+                             sizeof(WorldVertex), world.vertices.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             world.indices.data(), range.first * sizeof(std::uint32_t),
+                             3 * sizeof(std::uint32_t), range.count / 3);
+  if (filtered) {
+    rtcSetGeometryUserData(geometry, &filtered_[object]);
+    rtcSetGeometryIntersectFilterFunction(geometry, &Filter::run);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, object);
+  rtcReleaseGeometry(geometry);
+}
+
+void EmbreeScene::check() const {
+  if (rtcGetDeviceError(device_) == RTC_ERROR_NONE) return;
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+  throw Error(ErrorKind::kMachine, "Embree", "has no memory for the geometry");
+}
+
+void EmbreeScene::intersect(const int* valid, RTCRayHit16& rays, const RayQuery& query,
+                            bool coherent) const noexcept {
+  Context context = contextOf(query, coherent);
+  rtcIntersect16(valid, scene_, &context.embree, &rays);
+}
+
+void EmbreeScene::intersect(RTCRayHit& ray, const RayQuery& query) const noexcept {
+  Context context = contextOf(query, false);
+  rtcIntersect1(scene_, &context.embree, &ray);
+}
+
+}  // namespace enfilade
