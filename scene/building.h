@@ -24,10 +24,10 @@ struct VertexArrays {
 /// Triangles of one material: a glTF primitive, or a part of one.
 struct Mesh {
   std::string name;
-  std::uint32_t vertices = kNone;      ///< index in Building::vertex_arrays
-  std::uint32_t material = 0;          ///< index in Building::materials
-  std::vector<std::uint32_t> indices;  ///< three a triangle
-  Box bounds;                          ///< of the indexed vertices, object space
+  std::uint32_t vertices = kNone;        ///< index in Building::vertex_arrays
+  std::uint32_t material = 0;            ///< index in Building::materials
+  std::vector<std::uint32_t> indices{};  ///< three a triangle
+  Box bounds{};                          ///< of the indexed vertices, object space
 };
 
 enum class AlphaMode : std::uint8_t { kOpaque, kMask, kBlend };
@@ -35,7 +35,7 @@ enum class Wrap : std::uint8_t { kRepeat, kClampToEdge, kMirroredRepeat };
 
 struct Material {
   std::string name;
-  glm::vec4 base_color{1};      ///< linear RGB and alpha, 0…1
+  glm::vec4 base_color{1};      ///< linear RGB and alpha, 0…1; kOpaque ignores the alpha
   std::uint32_t image = kNone;  ///< base colour texture: index in Building::images
   Wrap wrap_s = Wrap::kRepeat;
   Wrap wrap_t = Wrap::kRepeat;
@@ -49,12 +49,15 @@ struct Material {
 /// A node of the glTF scene, transforms already multiplied through.
 struct Node {
   std::string name;
-  std::uint32_t parent = kNone;  ///< index in Building::nodes, always less than this node's own
+  std::uint32_t parent = kNone;  ///< index in Building::nodes, less than this node's own
   glm::mat4 world_from_node{1};
-  std::string extras;  ///< the JSON text of `extras.enfilade`; empty without one
+  std::string extras{};  ///< the JSON text of `extras.enfilade`; empty without one
 };
 
-/// A mesh placed in the world.  Meshes may be shared by many objects.
+/// A mesh placed in the world.  Meshes may be shared by many objects.  Where the object's
+/// world_from_node mirrors (isMirrored), its front faces are the clockwise ones (glTF 2.0, 3.7.4):
+/// whoever draws or splits it turns each triangle round.  Normals go by the inverse transpose and
+/// are right as they are.
 struct Object {
   std::uint32_t node = kNone;  ///< index in Building::nodes: its name and world_from_node
   std::uint32_t mesh = kNone;  ///< index in Building::meshes
@@ -80,6 +83,9 @@ struct Building {
     return materials[meshes[object.mesh].material];
   }
 };
+
+/// Whether a transform turns counter-clockwise triangles clockwise: its determinant is negative.
+inline bool isMirrored(const glm::mat4& m) { return glm::determinant(glm::mat3(m)) < 0.0f; }
 
 /// Bounds of an object in the world [m]: of its vertices, not of its transformed box.
 Box worldBounds(const Building& building, const Object& object);

@@ -25,10 +25,10 @@ glm::mat4 Camera::clipFromCamera() const {
 glm::mat4 Camera::clipFromWorld() const { return clipFromCamera() * cameraFromWorld(); }
 
 Pose lookAt(const glm::vec3& eye, const glm::vec3& target) {
-  const glm::vec3 back = glm::normalize(eye - target);
-  const glm::vec3 up =
-      std::abs(back.y) > 0.999f ? glm::vec3(0, 0, back.y > 0 ? -1 : 1) : glm::vec3(0, 1, 0);
-  const glm::vec3 right = glm::normalize(glm::cross(up, back));
+  const glm::vec3 back = eye == target ? glm::vec3(0, 0, 1) : glm::normalize(eye - target);
+  glm::vec3 right = glm::cross(glm::vec3(0, 1, 0), back);
+  if (glm::length(right) < 1e-6f) right = {1, 0, 0};
+  right = glm::normalize(right);
   return {eye, glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(back, right), back)))};
 }
 

@@ -32,7 +32,8 @@ struct Camera {
   View view() const { return {pose.position, clipFromWorld()}; }
 };
 
-/// The pose at `eye` that looks at `target`, +Y up (or −Z up when it looks straight up or down).
+/// The pose at `eye` that looks at `target`, +Y up (or its +X along the world's when it looks
+/// straight up or down; no rotation when the two are one point).
 Pose lookAt(const glm::vec3& eye, const glm::vec3& target);
 
 /// The pose with heading `yaw` (0 looks down −Z, positive turns left) and `pitch` (positive looks

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 
 #include "scene/camera_path_formats.h"
 #include "scene/error.h"
+#include "scene/file_format.h"
 #include "scene/warning_log.h"
 
 namespace enfilade {
@@ -26,6 +28,19 @@ bool parseNumbers(std::string_view line, std::array<double, 8>& numbers) {
   return line.find_first_not_of(kBlank) == std::string_view::npos;
 }
 
+[[noreturn]] void fail(const std::string& file, std::size_t line_number, std::string_view line,
+                       bool is_first) {
+  if (is_first && std::isdigit(static_cast<unsigned char>(line.front())) == 0) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(line.data());
+    throw Error(ErrorKind::kBadInput, file,
+                "is no camera path (neither a tour, nor glTF, nor TUM): " +
+                    guessFormat({bytes, line.size()}));
+  }
+  throw Error(ErrorKind::kBadInput, file,
+              fmt::format("line {} is not the eight numbers of a TUM path: \"{}\"", line_number,
+                          oneLine(std::string(line), 40)));
+}
+
 }  // namespace
 
 CameraPath readTum(const std::string& file, std::string_view text) {
@@ -41,12 +56,7 @@ CameraPath readTum(const std::string& file, std::string_view text) {
     std::array<double, 8> n{};
     const std::string place = fmt::format("line {}", line_number);
     if (!parseNumbers(line, n)) {
-      const std::string reason =
-          path.poses.empty() ? "is no camera path (neither a tour, nor glTF, nor TUM): line {} is "
-                               "\"{}\", not eight numbers"
-                             : "line {}, \"{}\", is not eight numbers";
-      throw Error(ErrorKind::kBadInput, file,
-                  fmt::format(fmt::runtime(reason), line_number, oneLine(std::string(line), 40)));
+      fail(file, line_number, line, path.poses.empty());
     }
     TimedPose pose;
     pose.time = n[0];

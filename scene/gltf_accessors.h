@@ -3,15 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "scene/gltf_model.h"
 
 namespace enfilade {
-
-/// The bytes of a buffer view.  Throws Error (kBadInput) if it is not wholly there.
-std::span<const std::uint8_t> bufferViewBytes(const GltfModel& gltf, int buffer_view);
 
 /// Elements of an accessor.  Throws Error (kBadInput) if there is no such accessor.
 std::size_t accessorCount(const GltfModel& gltf, int accessor);

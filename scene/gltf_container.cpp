@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "scene/error.h"
+#include "scene/file_format.h"
 
 namespace enfilade {
 namespace {
@@ -80,31 +81,6 @@ std::string_view splitGlb(const std::string& file, std::span<const std::uint8_t>
     }
   }
   return asText(json_chunk);
-}
-
-/// What a file that is no glTF seems to be, by its first bytes.
-std::string guessFormat(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kKnown{{
-      {"ISO-10303-21", "an IFC or STEP file; convert it to glTF first"},
-      {"PK\x03\x04", "a ZIP archive; unpack it first"},
-      {"Kaydara FBX", "an FBX file; convert it to glTF first"},
-      {"BLENDER", "a Blender file; export it as glTF 2.0"},
-      {"<?xml", "an XML file"},
-      {"ply", "a PLY file; convert it to glTF first"},
-      {"solid", "an STL file; convert it to glTF first"},
-      {"\x89PNG", "a PNG image"},
-      {"version https://git-lfs", "a Git LFS pointer; fetch the file itself with git lfs pull"},
-  }};
-  for (const auto& [magic, what] : kKnown) {
-    if (text.starts_with(magic)) return "seems to be " + std::string(what);
-  }
-  const bool printable = std::all_of(
-      text.begin(),
-      text.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(text.size(), 40)),
-      [](unsigned char c) { return c >= 0x20 || std::isspace(c); });
-  return printable
-             ? fmt::format("it begins with \"{}\"", oneLine(std::string(text.substr(0, 60)), 30))
-             : "its first bytes are those of another binary format";
 }
 
 void checkDepth(const std::string& file, std::string_view text) {
@@ -191,7 +167,7 @@ json parseGltfContainer(const std::string& file, std::span<const std::uint8_t> b
     if (text.empty()) fail(file, "is empty");
     const std::size_t start = text.find_first_not_of(" \t\r\n");
     if (start == std::string_view::npos || text[start] != '{') {
-      fail(file, "is not a glTF file (neither GLB nor JSON): " + guessFormat(text));
+      fail(file, "is not a glTF file (neither GLB nor JSON): " + guessFormat(bytes));
     }
   }
   json root = parseJson(file, text);

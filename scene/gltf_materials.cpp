@@ -8,7 +8,7 @@
 #include <map>
 
 #include "scene/error.h"
-#include "scene/gltf_accessors.h"
+#include "scene/gltf_elements.h"
 
 namespace enfilade {
 namespace {

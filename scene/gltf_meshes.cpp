@@ -171,9 +171,6 @@ std::uint32_t MeshReader::vertexArraysOf(const VertexKey& key, const std::string
           fmt::format("{} has {} positions but {} of another attribute", subject, count, size));
     }
   }
-  if (mendNormals(vertices.normals) > 0) {
-    warnings_.add("normals without a direction, pointed up", subject);
-  }
   building_.vertex_arrays.push_back(std::move(vertices));
   entry->second = static_cast<std::uint32_t>(building_.vertex_arrays.size() - 1);
   return entry->second;

@@ -2,6 +2,7 @@
 
 #include <tiny_gltf.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
@@ -98,6 +99,7 @@ GltfModel loadGltfModel(const std::string& file, WarningLog& warnings) {
   }
   const std::string text = root.dump();
   root = nullptr;
+  if (text.size() > std::numeric_limits<unsigned int>::max()) result.fail("has over 4 GiB of JSON");
   result.model = parseByTinyGltf(file, text, resources, warnings);
   return result;
 }

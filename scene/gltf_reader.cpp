@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "scene/building_repair.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_meshes.h"
 #include "scene/gltf_model.h"
@@ -44,7 +45,7 @@ void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
 }
 
 /// The writer's own order of the objects, where it differs from the order of the nodes.
-void restoreObjectOrder(const GltfModel& gltf, const json& order, Building& building) {
+void restoreObjectOrder(const json& order, Building& building, WarningLog& warnings) {
   std::vector<Object> objects;
   std::vector<bool> taken(building.objects.size(), false);
   for (const json& index : order) {
@@ -53,35 +54,23 @@ void restoreObjectOrder(const GltfModel& gltf, const json& order, Building& buil
     taken[index.get<std::size_t>()] = true;
     objects.push_back(building.objects[index.get<std::size_t>()]);
   }
-  if (objects.size() != building.objects.size()) {
-    gltf.fail("is damaged: extras.enfilade.object_order does not order its objects");
+  if (objects.size() != building.objects.size() || order.size() != objects.size()) {
+    warnings.add("order of objects that does not fit them, ignored",
+                 "extras.enfilade.object_order");
+    return;
   }
   building.objects = std::move(objects);
 }
 
-void readOwnExtras(const GltfModel& gltf, Building& building) {
+void readOwnExtras(const GltfModel& gltf, Building& building, WarningLog& warnings) {
   building.name = std::filesystem::path(gltf.file).stem().string();
   if (gltf.extras.empty()) return;
   const json extras = json::parse(gltf.extras);
   if (!extras.is_object()) return;
   if (extras.contains("name") && extras["name"].is_string()) building.name = extras["name"];
   if (extras.contains("object_order") && extras["object_order"].is_array()) {
-    restoreObjectOrder(gltf, extras["object_order"], building);
+    restoreObjectOrder(extras["object_order"], building, warnings);
   }
-}
-
-/// Primitives without normals left theirs behind.
-void dropUnusedVertexArrays(Building& building) {
-  std::vector<std::uint32_t> new_index(building.vertex_arrays.size(), kNone);
-  for (const Mesh& mesh : building.meshes) new_index[mesh.vertices] = 0;
-  std::uint32_t kept = 0;
-  for (std::size_t i = 0; i < new_index.size(); ++i) {
-    if (new_index[i] == kNone) continue;
-    if (kept != i) building.vertex_arrays[kept] = std::move(building.vertex_arrays[i]);
-    new_index[i] = kept++;
-  }
-  building.vertex_arrays.resize(kept);
-  for (Mesh& mesh : building.meshes) mesh.vertices = new_index[mesh.vertices];
 }
 
 }  // namespace
@@ -95,8 +84,12 @@ Building readGltf(const std::string& file, Warnings* warnings) {
   MeshReader meshes(gltf, mappings, building, log);
   readNodes(gltf, meshes, building, log);
   if (building.objects.empty()) gltf.fail("holds no triangles");
-  readOwnExtras(gltf, building);
+  readOwnExtras(gltf, building, log);
   dropUnusedVertexArrays(building);
+  mendPositions(building);
+  if (const std::size_t mended = mendNormals(building); mended > 0) {
+    log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
+  }
   if (warnings != nullptr) *warnings = log.lines();
   return building;
 }

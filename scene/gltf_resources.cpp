@@ -42,17 +42,15 @@ std::string percentDecoded(const std::string& uri) {
   return decoded;
 }
 
-bool hasScheme(const std::string& uri) {
-  const std::size_t colon = uri.find(':');
-  return colon != std::string::npos && colon > 1 &&
-         std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon),
-                     [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-'; });
+/// "http://…", "file:…"; a mere colon may stand in a file's name.
+bool isAddress(const std::string& uri) {
+  return uri.find("://") != std::string::npos || uri.starts_with("file:");
 }
 
 /// The path of what `uri` names, proved to lie inside the folder of `model_file`.
 fs::path insideFolder(const std::string& model_file, const std::string& uri) {
   const std::string shown = "\"" + oneLine(uri) + "\"";
-  if (hasScheme(uri))
+  if (isAddress(uri))
     fail(model_file, shown + " is an address; only files beside the model are read");
   const std::string decoded = percentDecoded(uri);
   if (decoded.empty() || decoded.find('\0') != std::string::npos) {

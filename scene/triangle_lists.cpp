@@ -2,25 +2,13 @@
 
 #include <cmath>
 
+#include "scene/building_repair.h"
+
 namespace enfilade {
 namespace {
 
 bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// The unit vector along `v`, +Y if it has no direction.  In double precision, so that tiny
-/// triangles have one too.
-glm::vec3 directionOf(const glm::dvec3& v, bool& has_direction) {
-  const double length = glm::length(v);
-  has_direction = std::isfinite(length) && length > 0.0;
-  return has_direction ? glm::vec3(v / length) : glm::vec3(0, 1, 0);
-}
-
-glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  bool ignored = false;
-  return directionOf(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)),
-                     ignored);
 }
 
 template <typename T>
@@ -79,17 +67,6 @@ std::size_t dropNonFinite(const VertexArrays& vertices, std::vector<std::uint32_
   const std::size_t dropped = (triangles.size() - kept) / 3;
   triangles.resize(kept);
   return dropped;
-}
-
-std::size_t mendNormals(std::vector<glm::vec3>& normals) {
-  std::size_t without = 0;
-  for (glm::vec3& normal : normals) {
-    if (std::abs(glm::dot(normal, normal) - 1.0f) < 1e-4f) continue;
-    bool has_direction = false;
-    normal = directionOf(glm::dvec3(normal), has_direction);
-    if (!has_direction) ++without;
-  }
-  return without;
 }
 
 }  // namespace enfilade

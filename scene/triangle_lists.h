@@ -22,8 +22,4 @@ VertexArrays unshareFlat(const VertexArrays& vertices, std::vector<std::uint32_t
 /// Takes out the triangles that have a corner which is not finite.  Returns how many.
 std::size_t dropNonFinite(const VertexArrays& vertices, std::vector<std::uint32_t>& triangles);
 
-/// Makes every normal a unit vector, leaving those that are; +Y for those without a direction.
-/// Returns how many had none.
-std::size_t mendNormals(std::vector<glm::vec3>& normals);
-
 }  // namespace enfilade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "scene/building.h"
+
+namespace enfilade {
+
+/// Drops the vertex arrays that no mesh indexes.
+void dropUnusedVertexArrays(Building& building);
+
+/// Moves vertices that are not finite to the origin, so that no bound of an array is spoilt; no
+/// triangle may use them.
+void mendPositions(Building& building);
+
+/// Makes every normal a unit vector, leaving those that are.  One without a direction becomes the
+/// mean of its triangles' normals, weighted by area; +Y if that has no direction either.  Returns
+/// how many had none.
+std::size_t mendNormals(Building& building);
+
+/// The unit vector along (b − a) × (c − a), +Y where the triangle has no area.
+glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+}  // namespace enfilade

@@ -1,0 +1,109 @@
+#include "scene/file_io.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "scene_test_tools.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const std::string& file) {
+  const std::vector<std::uint8_t> bytes = readFile(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::size_t filesIn(const std::string& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(ReadFile, GivesEveryByte) {
+  const TempFolder folder;
+  const std::string content = std::string("a\0b\n", 4) + std::string(100'000, '\xff');
+  EXPECT_EQ(textOf(folder.file("x", content)), content);
+  EXPECT_TRUE(readFile(folder.file("empty", "")).empty());
+}
+
+TEST(ReadFile, SaysThatAFileIsMissing) {
+  const TempFolder folder;
+  expectError([&] { readFile(folder / "none"); }, ErrorKind::kBadInput, folder / "none",
+              "no such file");
+  folder.file("x", "");
+  expectError([&] { readFile(folder / "x/y"); }, ErrorKind::kBadInput, folder / "x/y",
+              "no such file");
+}
+
+TEST(ReadFile, RejectsADirectory) {
+  const TempFolder folder;
+  expectError([&] { readFile(folder.path()); }, ErrorKind::kBadInput, folder.path(),
+              "is a directory");
+}
+
+TEST(ReadFile, RejectsAPipeWithoutHanging) {
+  const TempFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  expectError([&] { readFile(folder / "pipe"); }, ErrorKind::kBadInput, folder / "pipe",
+              "is not a regular file");
+}
+
+TEST(WriteFileAtomically, ReplacesTheOldContentAndLeavesNothingElse) {
+  const TempFolder folder;
+  writeFileAtomically(folder / "x", std::string("a longer text"));
+  writeFileAtomically(folder / "x", std::string("short"));
+  EXPECT_EQ(textOf(folder / "x"), "short");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, LeavesNothingBehindWhenItFails) {
+  const TempFolder folder;
+  fs::create_directory(folder / "taken");
+  expectError([&] { writeFileAtomically(folder / "taken", std::string("x")); }, ErrorKind::kMachine,
+              folder / "taken", "is a directory");
+  expectError([&] { writeFileAtomically(folder / "no/x", std::string("x")); }, ErrorKind::kMachine,
+              folder / "no/x", "No such file or directory");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, TellsThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  expectError([] { writeFileAtomically("/dev/full", std::string("x")); }, ErrorKind::kMachine,
+              "/dev/full", "No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(WriteFileAtomically, KeepsASymbolicLink) {
+  const TempFolder folder;
+  folder.file("target", "old");
+  fs::create_symlink("target", folder / "link");
+  writeFileAtomically(folder / "link", std::string("new"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(textOf(folder / "target"), "new");
+}
+
+TEST(CreateFolders, CreatesParentsAndAcceptsWhatIsThere) {
+  const TempFolder folder;
+  createFolders(folder / "a/b/c");
+  createFolders(folder / "a/b/c");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
+}
+
+TEST(CreateFolders, SaysThatAFileStandsInTheWay) {
+  const TempFolder folder;
+  folder.file("x", "");
+  expectError([&] { createFolders(folder / "x/y"); }, ErrorKind::kMachine, folder / "x/y",
+              "Not a directory");
+}
+
+TEST(Sha256Hex, AgreesWithTheExamplesOfItsStandard) {
+  // NIST FIPS 180-4 example values.
+  const std::string abc = "abc";
+  EXPECT_EQ(sha256Hex({reinterpret_cast<const std::uint8_t*>(abc.data()), abc.size()}),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256Hex({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+}  // namespace
+}  // namespace enfilade
