@@ -12,33 +12,32 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t kColumns = 100;
+constexpr std::size_t kIndent = 2;
 
-std::string inlineText(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+/// The text of `json` on one line.
+std::string lineOf(const ordered_json& json) {
+  if (json.is_primitive() || json.empty()) {
+    return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  }
+  std::string text(1, json.is_array() ? '[' : '{');
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    if (item != json.begin()) text += ", ";
+    if (json.is_object()) text += lineOf(item.key()) + ": ";
+    text += lineOf(*item);
+  }
+  return text + (json.is_array() ? ']' : '}');
 }
 
-bool holdsOnlyScalars(const ordered_json& json) {
-  return std::all_of(json.begin(), json.end(),
-                     [](const ordered_json& item) { return item.is_primitive(); });
-}
-
-/// Numbers, or points: what reads best side by side.
-bool isFlowing(const ordered_json& array) {
-  return std::all_of(array.begin(), array.end(), [](const ordered_json& item) {
-    return item.is_number() || (item.is_array() && holdsOnlyScalars(item));
-  });
-}
-
-void append(const ordered_json& json, std::size_t indent, std::string& text);
-
-void appendFlowing(const ordered_json& array, std::size_t indent, std::string& text) {
+/// Appends the items of an array one after the other, as many on a line as fit.
+void appendFlowing(const ordered_json& array, std::size_t column, std::string& text) {
+  const std::size_t indent = column + 1;
   text += '[';
-  std::size_t column = text.size() - (text.rfind('\n') + 1);
+  ++column;
   for (std::size_t i = 0; i < array.size(); ++i) {
-    const std::string item = inlineText(array[i]) + (i + 1 < array.size() ? "," : "]");
+    const std::string item = lineOf(array[i]) + (i + 1 < array.size() ? "," : "]");
     if (i > 0 && column + 1 + item.size() > kColumns) {
-      text += '\n' + std::string(indent + 1, ' ');
-      column = indent + 1;
+      text += '\n' + std::string(indent, ' ');
+      column = indent;
     } else if (i > 0) {
       text += ' ';
       ++column;
@@ -49,19 +48,22 @@ void appendFlowing(const ordered_json& array, std::size_t indent, std::string& t
 }
 
 void append(const ordered_json& json, std::size_t indent, std::string& text) {
-  if (json.is_primitive() || json.empty()) {
-    text += inlineText(json);
-  } else if (json.is_array() && isFlowing(json)) {
-    appendFlowing(json, indent, text);
+  const std::size_t column = text.size() - (text.rfind('\n') + 1);
+  const std::string line = lineOf(json);
+  const bool flowing = json.is_array() && !std::any_of(json.begin(), json.end(), [](const auto& i) {
+                         return i.is_object() || i.is_string();
+                       });
+  if (json.is_primitive() || (indent > 0 && column + line.size() < kColumns)) {
+    text += line;
+  } else if (flowing) {
+    appendFlowing(json, column, text);
   } else {
+    const std::string separator = '\n' + std::string(indent + kIndent, ' ');
     text += json.is_array() ? '[' : '{';
-    const std::string line = '\n' + std::string(indent + 1, ' ');
-    bool first = true;
     for (auto item = json.begin(); item != json.end(); ++item) {
-      text += (first ? "" : ",") + line;
-      if (json.is_object()) text += inlineText(item.key()) + ": ";
-      append(*item, indent + 1, text);
-      first = false;
+      text += (item == json.begin() ? "" : ",") + separator;
+      if (json.is_object()) text += lineOf(item.key()) + ": ";
+      append(*item, indent + kIndent, text);
     }
     text += '\n' + std::string(indent, ' ') + (json.is_array() ? ']' : '}');
   }

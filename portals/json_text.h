@@ -5,7 +5,8 @@
 
 namespace enfilade {
 
-/// `json` as text for people: indented, but arrays of numbers on one line, wrapped at 100 columns.
+/// `json` as text for people: indented, but what fits into 100 columns on one line, and arrays of
+/// numbers wrapped.
 /// Text that is not UTF-8 is mended.  The same text for the same value; ends with a line feed.
 std::string jsonText(const nlohmann::ordered_json& json);
 
