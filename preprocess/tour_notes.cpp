@@ -133,10 +133,8 @@ void noteNarrows(const House& house, const WalkGrid& grid, const TourWalk& walk,
 
 }  // namespace
 
-std::vector<std::string> explainWalk(const House& house, const WalkGrid& grid,
-                                     const TourGround& ground, const TourWalk& walk,
-                                     float body_radius) {
-  std::vector<std::string> notes;
+void explainWalk(const House& house, const WalkGrid& grid, const TourGround& ground,
+                 const TourWalk& walk, float body_radius, std::vector<std::string>& notes) {
   const bool all = std::none_of(ground.target.begin(), ground.target.end(),
                                 [](SpotId target) { return target == kNoSpot; });
   if (!all) {
@@ -148,7 +146,6 @@ std::vector<std::string> explainWalk(const House& house, const WalkGrid& grid,
     }
   }
   noteNarrows(house, grid, walk, body_radius, notes);
-  return notes;
 }
 
 }  // namespace enfilade

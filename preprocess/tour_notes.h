@@ -7,9 +7,9 @@
 
 namespace enfilade {
 
-/// Why cells are not reached, a line each, and where the walk is narrower than `body_radius`.
-std::vector<std::string> explainWalk(const House& house, const WalkGrid& grid,
-                                     const TourGround& ground, const TourWalk& walk,
-                                     float body_radius);
+/// Adds to `notes` why cells are not reached, a line each, and where the walk is narrower than
+/// `body_radius`.
+void explainWalk(const House& house, const WalkGrid& grid, const TourGround& ground,
+                 const TourWalk& walk, float body_radius, std::vector<std::string>& notes);
 
 }  // namespace enfilade

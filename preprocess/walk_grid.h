@@ -66,7 +66,8 @@ inline constexpr int kDirections[8][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
 inline constexpr float kNarrowestClearance = 0.12f;
 
 /// Finds the spots, their clearance and their cells.  Gaps in the floor of up to 0.4 m are stepped
-/// over.  Where `ground` is a number, the exterior has a floor at that height [m].
+/// over.  Where `ground` is a number [m],
+/// the exterior has a floor at that height, under whatever floors are there.
 /// Source: filtering and distance field as in Mononen's Recast.
 WalkGrid buildWalkGrid(const House& house, const WalkColumns& columns, const WalkLimits& limits,
                        float ground = std::numeric_limits<float>::quiet_NaN());

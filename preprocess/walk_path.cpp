@@ -7,14 +7,16 @@ namespace enfilade {
 
 namespace {
 
-constexpr float kBandSpacing = 0.10f;      // [m] of the elastic band's points
-constexpr float kFineSpacing = 0.03f;      // [m] of the path's points
-constexpr int kBandRounds = 120;           // enough to round a corner over a metre
-constexpr float kTension = 0.5f;           // share of the way to the neighbours' middle
-constexpr float kPush = 0.02f;             // [m] away from a wall that is close, a round
-constexpr float kPushBelow = 0.5f;         // [m] of clearance
+constexpr float kBandSpacing = 0.10f;  // [m] of the elastic band's points
+constexpr float kFineSpacing = 0.03f;  // [m] of the path's points
+constexpr int kBandRounds = 120;       // enough to round a corner over a metre
+constexpr float kTension = 0.5f;       // share of the way to the neighbours' middle
+constexpr float kPush = 0.02f;         // [m] away from a wall that is close, a round
+constexpr float kPushBelow = 0.5f;     // [m] of clearance
+constexpr float kPushBelowOutside = 1.2f;
 constexpr float kKeep = 0.3f;              // [m] of clearance that is never given up
 constexpr float kVisitSlack = 0.4f;        // [m] that a visit may move
+constexpr float kInside = 0.25f;           // [m] from the cell's border that a visit stays
 constexpr std::size_t kLongestPull = 256;  // spots that one straight piece may replace
 constexpr float kPullSlack = 1.002f;       // a straight piece may cost this much more
 
@@ -83,6 +85,18 @@ glm::vec2 uphill(const WalkGrid& grid, SpotId spot) {
   return length > 1.0f ? slope / length : slope;
 }
 
+// Whether a step of kInside in any direction stays in the cell.
+bool isWellInside(const WalkGrid& grid, SpotId spot, const glm::vec2& at) {
+  for (int d = 0; d < 8; ++d) {
+    const glm::vec2 step = glm::normalize(glm::vec2(kDirections[d][0], kDirections[d][1]));
+    const SpotId end = walkStraight(grid, {}, spot, at, at + kInside * step, 0.0f).end;
+    if (end != kNoSpot && grid.cell[end] != kNoCell && grid.cell[end] != grid.cell[spot]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 class ElasticBand {
  public:
   ElasticBand(const WalkGrid& grid, const WalkCosts& costs, std::vector<Point>& points)
@@ -101,10 +115,9 @@ class ElasticBand {
     const Point& p = points_[i];
     const glm::vec2 middle = 0.5f * (points_[i - 1].at + points_[i + 1].at);
     glm::vec2 to = glm::mix(p.at, middle, kTension);
-    const float clearance = grid_.clearance[p.spot];
-    if (clearance < kPushBelow) {
-      to += kPush * (1.0f - clearance / kPushBelow) * uphill(grid_, p.spot);
-    }
+    const float push_below = grid_.cell[p.spot] == kExterior ? kPushBelowOutside : kPushBelow;
+    const float lack = std::max(0.0f, 1.0f - grid_.clearance[p.spot] / push_below);
+    to += kPush * lack * uphill(grid_, p.spot);
     if (p.visit) to = heldBack(anchors_[i], to);
     if (!tryMove(i, to)) tryMove(i, glm::mix(p.at, to, 0.25f));
   }
@@ -120,11 +133,17 @@ class ElasticBand {
     const float keep = std::max(kNarrowestClearance, std::min(kKeep, grid_.clearance[p.spot]));
     const SpotId spot = walkStraight(grid_, costs_, p.spot, p.at, to, kNarrowestClearance).end;
     if (spot == kNoSpot || grid_.clearance[spot] < keep) return false;
-    if (p.visit && grid_.cell[spot] != grid_.cell[p.spot]) return false;
+    if (p.visit && leaves(p, to, spot)) return false;
     if (!joined(points_[i - 1], to, spot) || !joined(points_[i + 1], to, spot)) return false;
     p.at = to;
     p.spot = spot;
     return true;
+  }
+
+  // A visit stays a step inside its cell, if it ever was.
+  bool leaves(const Point& p, const glm::vec2& to, SpotId spot) const {
+    if (grid_.cell[spot] != grid_.cell[p.spot]) return true;
+    return isWellInside(grid_, p.spot, p.at) && !isWellInside(grid_, spot, to);
   }
 
   bool joined(const Point& from, const glm::vec2& to, SpotId spot) const {

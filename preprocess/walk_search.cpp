@@ -17,9 +17,10 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 
 float costOfMetre(const WalkGrid& grid, const WalkCosts& costs, SpotId spot) noexcept {
   const float clearance = grid.clearance[spot];
-  const float lack = std::max(0.0f, 1.0f - clearance / costs.comfort);
+  const bool outside = grid.cell[spot] == kExterior;
+  const float lack = std::max(0.0f, 1.0f - clearance / (outside ? costs.airy : costs.comfort));
   const float squeeze = clearance < costs.body_radius ? kSqueeze : 0.0f;
-  const float place = grid.cell[spot] == kExterior ? costs.outside : 1.0f;
+  const float place = outside ? costs.outside : 1.0f;
   return place * (1.0f + kDislike * lack * lack + squeeze);
 }
 

@@ -11,6 +11,7 @@ namespace enfilade {
 struct WalkCosts {
   float body_radius = 0.2f;  ///< [m] [> 0] closer to a wall than this only where there is no choice
   float comfort = 0.6f;      ///< [m] [> body_radius] closer to a wall than this is disliked
+  float airy = 1.4f;         ///< [m] [> body_radius] the same in the exterior
   float outside = 1.3f;      ///< [≥ 1] a metre in the exterior costs as much as this inside
 };
 
