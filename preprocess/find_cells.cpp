@@ -130,9 +130,21 @@ void mergeCells(std::vector<std::uint16_t> into, CellProposal& proposal) {
   proposal.cell_storeys = kept;
 }
 
+/// Whether two interfaces of the same cells were fitted with the same rectangle.
+bool isSame(const FittedPortal& a, const FittedPortal& b, float voxel) {
+  return glm::distance(a.center, b.center) < voxel && glm::distance(a.half, b.half) < voxel &&
+         glm::dot(a.axes[2], b.axes[2]) > 0.99f;
+}
+
 void addPortals(const VoxelGrid& voxels, const std::vector<Interface>& interfaces,
                 const std::vector<FittedPortal>& fitted, CellProposal& proposal) {
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    bool again = false;
+    for (std::size_t j = i; j-- > 0 && interfaces[j].low == interfaces[i].low &&
+                            interfaces[j].high == interfaces[i].high;) {
+      again |= isSame(fitted[i], fitted[j], voxels.voxel);
+    }
+    if (again) continue;
     Portal portal;
     portal.polygon = fitted[i].polygon();
     portal.plane = planeOf(portal.polygon);

@@ -15,6 +15,7 @@ constexpr float kSlide = 0.7f;       // [m] either way, in search of the smalles
 constexpr float kMostMoved = 0.35f;  // [m] from where the voxels met
 constexpr float kAround = 0.4f;      // [m] about an interface, where its opening's edges are sought
 constexpr float kPlateau = 1.12f;    // times the smallest section: still inside the wall
+constexpr float kRagged = 1.25f;     // [pixels] about its outline: likewise
 constexpr float kLevel = 0.75f;      // |normal.y| of horizontal portals
 constexpr int kMostPixels = 600;     // along a window's side
 
@@ -89,7 +90,9 @@ std::optional<Plateau> findPlateau(const VoxelGrid& voxels, const SectionWindow&
     if (best < 0 || counts.back() < counts[std::size_t(best)] || nearer) best = here;
   }
   if (best < 0) return std::nullopt;
-  const float limit = kPlateau * float(counts[std::size_t(best)]) + 2;
+  // A turned wall's voxels step in and out by one along the opening's edges.
+  const float fewest = float(counts[std::size_t(best)]);
+  const float limit = std::max(kPlateau * fewest, fewest + kRagged * 4 * std::sqrt(fewest));
   const auto in = [&](int i) {
     return i >= 0 && i < int(counts.size()) && counts[std::size_t(i)] > 0 &&
            float(counts[std::size_t(i)]) <= limit;
@@ -128,18 +131,32 @@ Extent extentOf(const SectionWindow& window, const Section& section) {
           window.lo + glm::vec2(section.end) * window.pixel};
 }
 
-/// Midway between the wall's faces at the ends of the plateau.
+/// Midway between the wall's faces at the ends of the plateau; of several, the pair whose smaller
+/// one is largest.  A sheet without thickness is both.
 std::optional<float> snapPlane(const WallFaces& walls, const SectionWindow& window,
                                const Extent& extent, const Plateau& plateau, float voxel) {
-  constexpr float kBeside = 0.3f, kLeastArea = 0.02f;
-  const TurnedBox box{window.center, window.axes, glm::vec3(extent.lo - kBeside, 0.0f),
-                      glm::vec3(extent.hi + kBeside, 0.0f)};
-  const auto lo = bestFace(walls, box, 2, plateau.first - 0.6f * voxel,
-                           plateau.first + 1.3f * voxel, kLeastArea);
-  const auto hi =
-      bestFace(walls, box, 2, plateau.last - 1.3f * voxel, plateau.last + 0.6f * voxel, kLeastArea);
-  if (!lo || !hi || *hi < *lo - 1e-4f) return std::nullopt;
-  return 0.5f * (*lo + *hi);
+  constexpr float kBeside = 0.3f, kLeastArea = 0.02f, kThinnest = 0.01f;
+  const float within = 1.3f * voxel, beyond = voxel;
+  const TurnedBox box{window.center, window.axes,
+                      glm::vec3(extent.lo - kBeside, plateau.first - beyond),
+                      glm::vec3(extent.hi + kBeside, plateau.last + beyond)};
+  const auto faces = walls.facesAcross(box, 2);
+  std::optional<float> best, sheet;
+  float most = kLeastArea, most_of_sheet = kLeastArea;
+  for (const WallFaces::Face& lo : faces) {
+    if (lo.offset > plateau.first + within) continue;
+    if (lo.offset >= plateau.last - within && lo.area > most_of_sheet) {
+      most_of_sheet = lo.area;
+      sheet = lo.offset;
+    }
+    for (const WallFaces::Face& hi : faces) {
+      if (hi.offset < plateau.last - within || hi.offset < lo.offset + kThinnest) continue;
+      if (std::min(lo.area, hi.area) <= most) continue;
+      most = std::min(lo.area, hi.area);
+      best = 0.5f * (lo.offset + hi.offset);
+    }
+  }
+  return best ? best : sheet;
 }
 
 /// Moves the edges of a section outward onto the planes that bound the opening.

@@ -9,8 +9,9 @@ namespace {
 constexpr float kFilledShare = 0.3f;  // of a portal's face with a door or glass in it
 constexpr float kReach = 0.35f;       // [m] either way, where they may stand
 constexpr float kSill = 0.3f;         // [m] the highest threshold of a door
+constexpr float kLowestDoor = 1.5f;   // [m]
 constexpr float kHighestDoor = 3.0f;  // [m]
-constexpr float kWidestDoor = 4.0f;   // [m]
+constexpr float kWidestDoor = 3.0f;   // [m]
 constexpr float kLintel = 0.15f;      // [m] the least drop of a lintel below the ceiling
 
 std::uint8_t bitsAt(const VoxelGrid& voxels, const glm::vec3& p) {
@@ -65,12 +66,13 @@ PortalKind kindOf(const VoxelGrid& voxels, const FittedPortal& portal, bool to_e
   if (!level && filledShare(voxels, portal, kVoxelDoor) > kFilledShare) return PortalKind::kDoor;
   if (filledShare(voxels, portal, kVoxelGlass) > kFilledShare) return PortalKind::kWindow;
   if (level) return PortalKind::kOpening;
-  const bool sized = 2 * portal.half.y <= kHighestDoor && 2 * portal.half.y >= 1.5f &&
+  const bool sized = 2 * portal.half.y <= kHighestDoor && 2 * portal.half.y >= kLowestDoor &&
                      2 * portal.half.x <= kWidestDoor;
-  // Indoors the low cell's side and the high cell's both tell; the exterior may have no ground.
-  const bool inner = isDoorway(voxels, portal, -1.0f);
-  const bool outer = to_exterior || isDoorway(voxels, portal, 1.0f);
-  if (sized && inner && outer) return PortalKind::kDoor;
+  // The exterior may have no ground, and a gallery's door may open on a void.
+  if (sized &&
+      (isDoorway(voxels, portal, -1.0f) || (!to_exterior && isDoorway(voxels, portal, 1.0f)))) {
+    return PortalKind::kDoor;
+  }
   const glm::vec3 foot =
       portal.center - portal.axes[1] * (portal.half.y - 0.2f) - portal.axes[2] * 0.6f;
   if (to_exterior && freeLength(voxels, foot, {0, -1, 0}, 2.0f) > 0.2f + kSill) {
