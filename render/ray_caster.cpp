@@ -2,9 +2,11 @@
 
 #include <embree3/rtcore.h>
 #include <tbb/blocked_range2d.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "render/embree_scene.h"
@@ -44,9 +46,12 @@ RayHit castOne(const EmbreeScene& scene, const Ray& ray, const RayQuery& query) 
 
 struct RayCaster::Impl {
   Impl(const Building& building, std::span<const std::uint8_t> hidden, int threads)
-      : surfaces(building),
-        scene(building, surfaces, hidden),
-        arena(threads > 0 ? threads : tbb::task_arena::automatic) {}
+      : surfaces(building), scene(building, surfaces, hidden), arena(arenaSize(threads)) {}
+
+  static int arenaSize(int threads) {
+    const int most = tbb::info::default_concurrency();
+    return threads > 0 ? std::min(threads, most) : most;
+  }
 
   Surfaces surfaces;
   EmbreeScene scene;

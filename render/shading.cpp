@@ -10,7 +10,7 @@ float skyAndSun(const glm::vec3& normal) noexcept {
   constexpr glm::vec3 kSlope(0.08f, 0.15f, 0.03f);
   constexpr glm::vec3 kSun(0.645f, 0.76f, 0.08f);  // unit
   const float sun = std::max(0.0f, glm::dot(normal, kSun));
-  return 0.73f + glm::dot(normal, kSlope) + 0.12f * sun * sun;
+  return 0.71f + glm::dot(normal, kSlope) + 0.12f * sun * sun;
 }
 
 glm::vec4 encodeTint(const glm::vec4& linear) noexcept {
