@@ -11,7 +11,8 @@ namespace enfilade {
 struct DepthImage {
   PlanarCamera camera;
   Image color;
-  std::vector<float> disparity;  ///< 0 < δ ≤ 1, one a pixel; the sky has a very small δ
+  std::vector<float> disparity;  ///< 0 < δ ≤ 1, one a pixel; the sky has a very small δ; 0: the
+                                 ///< pixel lies outside of the portal, nothing is known there
 };
 
 }  // namespace enfilade

@@ -6,12 +6,27 @@
 
 namespace enfilade {
 
-/// Writes `ldi` to one binary file: magic, version, sizes, checksum, little-endian; by way of a
-/// temporary name. The same bytes for the same LDI.  Throws Error (kMachine).
+/// The file of a layered depth image, little-endian:
+///
+///     offset  bytes
+///          0      8  "ENFLDI\r\n"
+///          8      4  version, 1
+///         12      4  bytes of this header, 144
+///         16      8  width and height of the window [pixels]
+///         24     16  number of tiles, number of samples
+///         40      8  XXH3 of all other bytes of the file, in order
+///         48     96  camera: center, then world_from_pixel's columns, as doubles
+///        144      8  a tile: x, y (2 bytes each), number of samples (4); by row, then by column
+///        ...      8  a sample: r, g, b, footprint, place (4), as in LdiSample; tile after tile
+inline constexpr std::uint32_t kLdiFileVersion = 1;
+
+/// Writes `ldi` by way of a temporary name.  The same bytes for the same LDI.  Throws Error
+/// (kMachine).
 void writeLdi(const std::string& file, const Ldi& ldi);
 
-/// Throws Error (kBadInput): cut short, another version, sizes that do not fit the file, a checksum
-/// that does not match.
+/// Throws Error (kBadInput): not an LDI, another version, cut short, sizes that do not fit the file
+/// (nothing is allocated before they do), a checksum that does not match, tiles or samples that are
+/// not where they should be.
 Ldi readLdi(const std::string& file);
 
 }  // namespace enfilade

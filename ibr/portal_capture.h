@@ -14,26 +14,47 @@ namespace enfilade {
 /// The objects to draw for a view, increasing.
 using ObjectsInView = std::function<std::vector<std::uint32_t>(const View& view)>;
 
-/// Whether a portal can show images at all: upright (within 30° of vertical) and of some size.
+/// Whether a portal can show images at all: upright (within 30° of vertical) and of some size (0.2
+/// m wide and high).
 bool canShowImages(const Portal& portal);
 
-/// Viewpoints on the semicircle of radius `parameters.switch_distance` before the portal's centre,
-/// at height `eye_y`, from one side to the other; an odd count has the central one in the middle.
+/// Viewpoints on the semicircle of radius `parameters.switch_distance` before the middle of the
+/// portal's bounding rectangle, at height `eye_y`, from left to right as the viewer sees it; an odd
+/// count has the central one in the middle.  Before a wide portal it is half an ellipse that goes
+/// around the portal, so that every horizontal line of sight through the portal from an eye farther
+/// than the switch distance from its nearest point crosses it.
 /// Source: Rafferty et al. 1998, sec. 4.
 std::vector<glm::dvec3> semicircleViewpoints(const Portal& portal, bool from_front, float eye_y,
                                              const ImageParameters& parameters);
 
+/// Every viewpoint that an LDI is captured from: the central one first, then the main semicircle
+/// from the middle outward, then `more_rings`.  Those that would not stand before the portal's
+/// plane (by 5 cm) are left out.
+std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front, float eye_y,
+                                          const ImageParameters& parameters);
+
 /// The planar camera at `viewpoint` whose image plane is the portal's own and whose window is the
-/// portal's bounding rectangle, widened about its centre by `widen` (1: just the portal).
+/// bounding rectangle of the portal and its margin, widened about its centre by `widen` (1: just
+/// that).
 PlanarCamera portalCamera(const Portal& portal, bool from_front, const glm::dvec3& viewpoint,
                           const ImageParameters& parameters, double widen = 1.0);
 
 /// What is seen through a portal from a viewpoint: colour and disparity.  Draws only what lies
-/// behind the portal's plane.
+/// behind the portal's plane.  Throws Error (kMachine) when the picture is too large.
 DepthImage captureThroughPortal(Renderer& renderer, const PlanarCamera& camera,
                                 const ObjectsInView& objects, double far_depth);
 
-/// The layered depth image of a portal's side from its captures along the semicircle.
+/// What a planar camera with its image plane in a portal sees of what lies behind the portal.
+using CaptureFunction = std::function<DepthImage(const PlanarCamera& camera)>;
+
+/// The layered depth image of a portal's side from captures at captureViewpoints(), `rays` × `rays`
+/// pixels of a capture for one of the LDI's.  What a capture sees past the portal's edge, within
+/// the margin, gives way to what is seen through the portal.
+Ldi buildLdi(const Portal& portal, bool from_front, float eye_y, const ImageParameters& parameters,
+             const CaptureFunction& capture);
+
+/// buildLdi() with captures by `renderer`.  The same bytes run after run.  Throws Error (kMachine)
+/// when a capture is too large for the machine.
 Ldi bakeLdi(Renderer& renderer, const Portal& portal, bool from_front, float eye_y,
             const ImageParameters& parameters, const ObjectsInView& objects, double far_depth);
 

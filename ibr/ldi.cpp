@@ -1,0 +1,97 @@
+#include "ibr/ldi.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace enfilade {
+
+std::uint32_t packPlace(float x, float y, float disparity) noexcept {
+  const auto coordinate = [](float value) {
+    const float pixel = std::clamp(std::floor(value), 0.0f, kLdiTile - 1.0f);
+    const float eighths = std::clamp(std::round((value - pixel) / kPlaceStep), 0.0f, 7.0f);
+    return static_cast<std::uint32_t>(pixel) * 8u + static_cast<std::uint32_t>(eighths);
+  };
+  constexpr float kSteps = 1 << kDisparityBits;
+  const float stored = std::clamp(std::round(disparity * kSteps) - 1.0f, 0.0f, kSteps - 1.0f);
+  return static_cast<std::uint32_t>(stored) << (2 * kPlaceBits) | coordinate(y) << kPlaceBits |
+         coordinate(x);
+}
+
+std::uint8_t packFootprint(float across, float down) noexcept {
+  const auto code = [](float size) {
+    // The small allowance keeps a size of exactly one pixel at its own code.
+    const float steps = std::ceil(2.0f * std::log2(std::max(size, 0.01f)) - 0.01f) + 4.0f;
+    return static_cast<unsigned>(std::clamp(steps, 0.0f, 15.0f));
+  };
+  return static_cast<std::uint8_t>(code(across) << 4 | code(down));
+}
+
+float footprintSize(unsigned code) noexcept {
+  static const std::array<float, 16> sizes = [] {
+    std::array<float, 16> table{};
+    for (int i = 0; i < 16; ++i) {
+      table[static_cast<std::size_t>(i)] = std::exp2(0.5f * static_cast<float>(i - 4));
+    }
+    return table;
+  }();
+  return sizes[code & 15u];
+}
+
+std::vector<LdiSample> layersAt(const Ldi& ldi, int x, int y) {
+  const int tile_x = x / kLdiTile;
+  const int tile_y = y / kLdiTile;
+  const auto tile = std::lower_bound(ldi.tiles.begin(), ldi.tiles.end(), std::pair(tile_y, tile_x),
+                                     [](const LdiTile& t, const std::pair<int, int>& at) {
+                                       return std::pair<int, int>(t.y, t.x) < at;
+                                     });
+  std::vector<LdiSample> layers;
+  if (tile == ldi.tiles.end() || tile->x != tile_x || tile->y != tile_y) {
+    return layers;
+  }
+  for (const LdiSample& s : std::span(ldi.samples).subspan(tile->first, tile->count)) {
+    if (static_cast<int>(xInTile(s)) == x % kLdiTile &&
+        static_cast<int>(yInTile(s)) == y % kLdiTile) {
+      layers.insert(layers.begin(), s);
+    }
+  }
+  return layers;
+}
+
+std::vector<std::size_t> samplesPerLayer(const Ldi& ldi) {
+  std::vector<std::size_t> layers;
+  for (const LdiTile& tile : ldi.tiles) {
+    std::array<std::size_t, kLdiTile * kLdiTile> at_pixel{};
+    for (const LdiSample& s : std::span(ldi.samples).subspan(tile.first, tile.count)) {
+      const auto pixel =
+          static_cast<std::size_t>(yInTile(s)) * kLdiTile + static_cast<std::size_t>(xInTile(s));
+      const std::size_t layer = at_pixel[pixel]++;
+      layers.resize(std::max(layers.size(), layer + 1));
+      ++layers[layer];
+    }
+  }
+  return layers;
+}
+
+void indexTiles(Ldi& ldi) {
+  const auto rows = static_cast<std::size_t>((ldi.camera.height + kLdiTile - 1) / kLdiTile);
+  ldi.row_tiles.assign(rows + 1, 0);
+  std::uint32_t first = 0;
+  for (LdiTile& tile : ldi.tiles) {
+    tile.first = first;
+    first += tile.count;
+    ++ldi.row_tiles[std::size_t{tile.y} + 1];
+    const auto samples = std::span(ldi.samples).subspan(tile.first, tile.count);
+    tile.least_disparity = disparityOf(samples.front());
+    tile.greatest_disparity = disparityOf(samples.back());
+    unsigned code = 0;
+    for (const LdiSample& s : samples) {
+      code = std::max({code, unsigned{s.footprint} >> 4, unsigned{s.footprint} & 15u});
+    }
+    tile.greatest_footprint = footprintSize(code);
+  }
+  std::partial_sum(ldi.row_tiles.begin(), ldi.row_tiles.end(), ldi.row_tiles.begin());
+}
+
+}  // namespace enfilade

@@ -1,0 +1,100 @@
+// Rafferty et al., Images for Accelerating Architectural Walkthroughs, 1998, sec. 4.
+#include <algorithm>
+#include <cmath>
+
+#include "ibr/portal_capture.h"
+#include "ibr/portal_frame.h"
+
+namespace enfilade {
+namespace {
+
+constexpr double kNearestViewpoint = 0.05;  // [m] before the portal's plane
+
+/// Half the axes of the semicircle: to the side, and ahead [m].
+glm::dvec2 ringAxes(const PortalFrame& frame, const ImageParameters& parameters) {
+  const auto radius = static_cast<double>(parameters.switch_distance);
+  return {std::max(radius, frame.half_width + 0.5 * radius), radius};
+}
+
+std::vector<glm::dvec3> viewpointsOnRing(const PortalFrame& frame, const glm::dvec2& axes,
+                                         double height, int count, double outermost_degrees) {
+  const glm::dvec3 ahead = glm::cross(frame.right, glm::dvec3(0, 1, 0));  // level, to the viewer
+  std::vector<glm::dvec3> viewpoints;
+  for (int i = 0; i < count; ++i) {
+    const double along = count == 1 ? 0.0 : 2.0 * i / (count - 1) - 1.0;
+    const double angle = glm::radians(along * outermost_degrees);
+    glm::dvec3 at =
+        frame.center + axes.x * std::sin(angle) * frame.right + axes.y * std::cos(angle) * ahead;
+    at.y = height;
+    viewpoints.push_back(at);
+  }
+  return viewpoints;
+}
+
+}  // namespace
+
+bool canShowImages(const Portal& portal) {
+  if (portal.polygon.size() < 3 || std::abs(portal.plane.normal.y) > 0.5f) {
+    return false;
+  }
+  const PortalFrame frame = portalFrame(portal, true);
+  return frame.half_width >= 0.1 && frame.half_height >= 0.1;
+}
+
+std::vector<glm::dvec3> semicircleViewpoints(const Portal& portal, bool from_front, float eye_y,
+                                             const ImageParameters& parameters) {
+  const PortalFrame frame = portalFrame(portal, from_front);
+  return viewpointsOnRing(frame, ringAxes(frame, parameters), static_cast<double>(eye_y),
+                          parameters.captures, static_cast<double>(parameters.capture_angle));
+}
+
+std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front, float eye_y,
+                                          const ImageParameters& parameters) {
+  const PortalFrame frame = portalFrame(portal, from_front);
+  const glm::dvec2 axes = ringAxes(frame, parameters);
+  const auto height = static_cast<double>(eye_y);
+  std::vector<glm::dvec3> viewpoints = viewpointsOnRing(frame, axes, height, 1, 0.0);
+  const auto add = [&](std::vector<glm::dvec3> ring) {
+    std::stable_sort(ring.begin(), ring.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
+      // To the micrometre, so that rounding does not decide between left and right.
+      const auto aside = [&](const glm::dvec3& p) {
+        return std::round(1e6 * std::abs(glm::dot(p - frame.center, frame.right)));
+      };
+      return aside(a) < aside(b);
+    });
+    for (const glm::dvec3& at : ring) {
+      if (glm::distance(at, viewpoints.front()) > 1e-6) {
+        viewpoints.push_back(at);
+      }
+    }
+  };
+  add(semicircleViewpoints(portal, from_front, eye_y, parameters));
+  for (const CaptureRing& ring : parameters.more_rings) {
+    add(viewpointsOnRing(frame, axes, height + static_cast<double>(ring.above_eye), ring.captures,
+                         static_cast<double>(ring.capture_angle)));
+  }
+  std::erase_if(viewpoints, [&](const glm::dvec3& at) {
+    return glm::dot(at - frame.center, frame.toward) < kNearestViewpoint;
+  });
+  return viewpoints;
+}
+
+PlanarCamera portalCamera(const Portal& portal, bool from_front, const glm::dvec3& viewpoint,
+                          const ImageParameters& parameters, double widen) {
+  PortalFrame frame = portalFrame(portal, from_front);
+  frame.half_width += static_cast<double>(parameters.portal_margin);
+  frame.half_height += static_cast<double>(parameters.portal_margin);
+  const double rows = parameters.image_size * widen;
+  const double columns = rows * frame.half_width / frame.half_height;
+  PlanarCamera camera;
+  camera.center = viewpoint;
+  camera.height = static_cast<int>(std::clamp(std::round(rows), 1.0, 65536.0));
+  camera.width = static_cast<int>(std::clamp(std::round(columns), 1.0, 65536.0));
+  const glm::dvec3 right = widen * frame.half_width * frame.right;
+  const glm::dvec3 up = widen * frame.half_height * frame.up;
+  camera.world_from_pixel = glm::dmat3(2.0 / camera.width * right, -2.0 / camera.height * up,
+                                       frame.center - right + up - viewpoint);
+  return camera;
+}
+
+}  // namespace enfilade
