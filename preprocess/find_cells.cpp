@@ -112,12 +112,15 @@ Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls,
   return fits;
 }
 
-/// Numbers the cells that are left, and their voxels.
-void mergeCells(std::vector<std::uint16_t> into, CellProposal& proposal) {
+/// Numbers the cells that are left, and their voxels.  `into` is never more than the cell itself,
+/// or kNobody.
+void mergeCells(const std::vector<std::uint16_t>& into, CellProposal& proposal) {
   std::vector<std::uint16_t> number(into.size());
   std::vector<int> kept;
   for (std::size_t c = 0; c < into.size(); ++c) {
-    if (into[c] == c) {
+    if (into[c] == CellProposal::kNobody) {
+      number[c] = CellProposal::kNobody;
+    } else if (into[c] == c) {
       number[c] = static_cast<std::uint16_t>(kept.size());
       kept.push_back(proposal.cell_storeys[c]);
     } else {
@@ -128,6 +131,39 @@ void mergeCells(std::vector<std::uint16_t> into, CellProposal& proposal) {
     if (owner != CellProposal::kNobody) owner = number[owner];
   }
   proposal.cell_storeys = kept;
+}
+
+/// Gives up cells that nothing joins to the exterior or to any wide enough to be a room: the
+/// insides of thick walls and shafts.  Returns how many.
+int dropCavities(const std::vector<float>& widths, const std::vector<Interface>& interfaces,
+                 CellProposal& proposal) {
+  constexpr float kNarrow = 1.0f;  // [m]
+  std::vector<std::uint16_t> group(widths.size());
+  std::iota(group.begin(), group.end(), std::uint16_t{0});
+  const auto find = [&](std::uint16_t c) {
+    while (group[c] != c) c = group[c] = group[group[c]];
+    return c;
+  };
+  for (const Interface& interface : interfaces) {
+    const std::uint16_t a = find(interface.low), b = find(interface.high);
+    group[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<float> widest(widths.size(), 0.0f);
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    float& width = widest[find(static_cast<std::uint16_t>(c))];
+    width = std::max(width, widths[c]);
+  }
+  std::vector<std::uint16_t> into(widths.size());
+  int dropped = 0;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    const bool narrow = widest[find(static_cast<std::uint16_t>(c))] < kNarrow;
+    into[c] = narrow ? CellProposal::kNobody : static_cast<std::uint16_t>(c);
+    dropped += narrow;
+  }
+  if (dropped == 0) return 0;
+  mergeCells(into, proposal);
+  proposal.log.push_back(fmt::format("left out {} narrow cavities that nothing leads to", dropped));
+  return dropped;
 }
 
 /// Whether two interfaces of the same cells were fitted with the same rectangle.
@@ -175,6 +211,9 @@ CellProposal findCells(const Building& building, std::span<const ObjectRole> rol
   proposal.log = std::move(seeds.log);
   nameStoreys(voxels, walls, bands, proposal);
   std::vector<Interface> interfaces = findInterfaces(voxels, proposal.owner);
+  if (dropCavities(seeds.widths, interfaces, proposal) > 0) {
+    interfaces = findInterfaces(voxels, proposal.owner);
+  }
   Fits fits = fitAll(voxels, walls, interfaces, proposal);
   while (fits.merged) {
     mergeCells(fits.into, proposal);

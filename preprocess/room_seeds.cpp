@@ -1,6 +1,7 @@
 #include "preprocess/room_seeds.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "preprocess/storey_plan.h"
@@ -42,7 +43,7 @@ std::vector<std::map<Label, int>> countVoids(const Rooms& rooms, std::size_t sto
 }
 
 /// Numbers the rooms of a storey, those that are the upper part of a room below as that one.
-void labelStorey(std::size_t storey, Rooms& rooms, RoomSeeds& seeds) {
+void labelStorey(float voxel, std::size_t storey, Rooms& rooms, RoomSeeds& seeds) {
   const StoreyPlan& plan = rooms.plans[storey];
   std::vector<std::map<Label, int>> voids(plan.uses.size());
   if (storey > 0) voids = countVoids(rooms, storey);
@@ -58,11 +59,13 @@ void labelStorey(std::size_t storey, Rooms& rooms, RoomSeeds& seeds) {
     }
     if (float(count) > kVoidShare * float(plan.uses[b].area)) {
       labels[b] = most;
-      if (most != kExterior) seeds.ranges[most].end_y = plan.band.end_y;
+      seeds.ranges[most].end_y = std::max(seeds.ranges[most].end_y, plan.band.end_y);
+      seeds.widths[most] = std::max(seeds.widths[most], 2 * voxel * plan.basins.peak[b]);
       ++merged;
     } else {
       labels[b] = static_cast<Label>(seeds.storeys.size());
       seeds.storeys.push_back(static_cast<int>(storey));
+      seeds.widths.push_back(2 * voxel * plan.basins.peak[b]);
       seeds.ranges.push_back({plan.band.begin_y, plan.band.end_y});
     }
   }
@@ -121,6 +124,7 @@ RoomSeeds seedRooms(const VoxelGrid& voxels, const std::vector<StoreyBand>& stor
   RoomSeeds seeds;
   seeds.storeys = {0};
   seeds.ranges = {{0, voxels.size.y}};
+  seeds.widths = {std::numeric_limits<float>::infinity()};
   seeds.owner.assign(voxels.bits.size(), kNobody);
   Rooms rooms;
   for (const StoreyBand& band : storeys)
@@ -133,7 +137,7 @@ RoomSeeds seedRooms(const VoxelGrid& voxels, const std::vector<StoreyBand>& stor
       seeds.log.push_back("storey " + std::to_string(s + 1) + ": " + std::to_string(porches) +
                           " porches belong to the exterior");
     }
-    labelStorey(s, rooms, seeds);
+    labelStorey(voxels.voxel, s, rooms, seeds);
     seedStorey(voxels, rooms, s, seeds);
   }
   seedSky(voxels, roofless ? highestCeiling(rooms.plans.back()) : 0, seeds);

@@ -18,6 +18,7 @@ struct SeedRange {
 struct RoomSeeds {
   std::vector<int> storeys;          ///< one a cell, [0] is the exterior
   std::vector<SeedRange> ranges;     ///< one a cell; of the exterior, everything
+  std::vector<float> widths;         ///< [m] one a cell: of its plan at its widest
   std::vector<std::uint16_t> owner;  ///< one a voxel: the cell, or CellProposal::kNobody
   std::vector<std::string> log;
 };

@@ -247,6 +247,14 @@ TEST(FindCells, ARoomWithinARoomHasItsOwnDoor) {
   EXPECT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
 }
 
+TEST(FindCells, TheInsideOfAThickWallIsNoRoom) {
+  TestBuilding test;
+  shell(test, 9, 5);
+  test.box({4, 0, 0.1f}, {4.9f, kHeight, 4.9f});
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+}
+
 TEST(FindCells, OddDoorsAreFound) {
   struct Size {
     float width, height, thickness;
