@@ -61,8 +61,9 @@ struct CellLocation {
 };
 
 /// The cell at `p`.  In a voxel that a portal crosses, the side of the nearest portal's plane
-/// decides.  In something solid: the cell of the nearest labelled voxel, one that is reached
-/// without passing a portal or its frame if there is one about as near.
+/// decides, and which of the portal's two cells is labelled nearest there.  In something solid: the
+/// cell of the nearest labelled voxel, one that is reached without passing a portal or its frame if
+/// there is one about as near.
 CellLocation locate(const CellGraph& graph, const CellGrid& grid, const glm::vec3& p);
 
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "portals/cell_grid.h"
 #include "portals/polygon.h"
@@ -12,20 +13,56 @@ namespace {
 /// that were rasterised a voxel thicker.
 constexpr float kCutReach = 3.5f;
 
+/// The labelled voxels beside a portal's are this near [voxels].
+constexpr int kLabelReach = 2;
+
 /// Around a portal, this far [voxels] beside its polygon, stands its own frame: a way through there
 /// is a way through the portal.
 constexpr float kFrameReach = 3.0f;
 
-/// The cell on the side of `p` of the nearest portal; kNoCell with none near.
-CellId cellByNearestPortal(const CellGraph& graph, const glm::vec3& p, float reach) {
-  CellId cell = kNoCell;
+/// The nearest portal within `reach`; null with none.
+const Portal* nearestPortal(const CellGraph& graph, const glm::vec3& p, float reach) {
+  const Portal* nearest = nullptr;
   for (const Portal& portal : graph.portals) {
-    const float off_plane = portal.plane.signedDistance(p);
-    if (std::abs(off_plane) > reach) continue;
+    if (std::abs(portal.plane.signedDistance(p)) > reach) continue;
     const float distance = distanceToPolygon(portal.polygon, portal.plane, p);
-    if (distance > reach || (distance == reach && cell != kNoCell)) continue;
+    if (distance > reach || (distance == reach && nearest != nullptr)) continue;
     reach = distance;
-    cell = off_plane >= 0 ? portal.front : portal.back;
+    nearest = &portal;
+  }
+  return nearest;
+}
+
+/// Whether no portal, grown by `grow` [m], stands between two points.
+bool isClear(const CellGraph& graph, const glm::vec3& a, const glm::vec3& b, float grow) {
+  return std::none_of(graph.portals.begin(), graph.portals.end(), [&](const Portal& portal) {
+    return segmentCrosses(portal.polygon, portal.plane, a, b, grow);
+  });
+}
+
+/// The cell of a point in a voxel that `portal` crosses: on its side of the plane, that of the
+/// portal's two cells whose labelled voxel is nearest.  It need not be the one that the portal has
+/// on this side: above a stair that the portal runs along one cell may reach around it.
+CellId cellBeside(const CellGraph& graph, const CellGrid& grid, const Portal& portal,
+                  const glm::vec3& p) {
+  const bool in_front = portal.plane.signedDistance(p) >= 0;
+  CellId cell = in_front ? portal.front : portal.back;
+  const glm::ivec3 start = grid.voxelOf(p);
+  float nearest = std::numeric_limits<float>::infinity();
+  for (int x = -kLabelReach; x <= kLabelReach; ++x) {
+    for (int z = -kLabelReach; z <= kLabelReach; ++z) {
+      for (int y = -kLabelReach; y <= kLabelReach; ++y) {
+        const glm::ivec3 v = start + glm::ivec3(x, y, z);
+        const CellGrid::Label label = grid.labelAt(v);
+        if (label != portal.front && label != portal.back) continue;
+        const glm::vec3 center = grid.centerOf(v);
+        const float distance = glm::distance(p, center);
+        if (distance >= nearest || (portal.plane.signedDistance(center) >= 0) != in_front) continue;
+        if (!isClear(graph, p, center, 0)) continue;
+        nearest = distance;
+        cell = label;
+      }
+    }
   }
   return cell;
 }
@@ -61,13 +98,9 @@ class NearestLabel {
   void offer(CellId cell, const glm::vec3& center) {
     const float distance = glm::distance(p_, center);
     if (distance < any_.distance) any_ = {cell, distance};
-    if (distance < clear_.distance && isClear(center)) clear_ = {cell, distance};
-  }
-
-  bool isClear(const glm::vec3& target) const {
-    return std::none_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
-      return segmentCrosses(portal.polygon, portal.plane, p_, target, kFrameReach * grid_.voxel());
-    });
+    if (distance < clear_.distance && isClear(graph_, p_, center, kFrameReach * grid_.voxel())) {
+      clear_ = {cell, distance};
+    }
   }
 
   void offerBeyondTheGrid() {
@@ -113,8 +146,8 @@ CellLocation locate(const CellGraph& graph, const CellGrid& grid, const glm::vec
   const CellGrid::Label label = grid.labelAt(grid.voxelOf(p));
   if (label < graph.cells.size()) return {label, true};
   if (label == CellGrid::kCutVoxel) {
-    const CellId cell = cellByNearestPortal(graph, p, kCutReach * grid.voxel());
-    if (cell < graph.cells.size()) return {cell, true};
+    const Portal* portal = nearestPortal(graph, p, kCutReach * grid.voxel());
+    if (portal != nullptr) return {cellBeside(graph, grid, *portal, p), true};
   }
   return {NearestLabel(graph, grid, p).find(), false};
 }

@@ -151,6 +151,22 @@ TEST(Locate, ThePortalsPlaneDecidesInTheDoorway) {
   }
 }
 
+TEST(Locate, OverAStairThatThePortalRunsAlongTheSpaceBelongsToTheCellThatReachesAroundIt) {
+  // Beyond the doorway a slab: room 1 is below it, above it room 2 reaches around the wall.
+  Rooms rooms;
+  const glm::ivec3 size(50, 35, 40);
+  rooms.grid = CellGrid(glm::vec3(-0.5f), 0.1f, size, labelsOf(size, [](const glm::ivec3& v) {
+                          const glm::vec3 p = Rooms::center(v);
+                          const Label label = Rooms::label(v);
+                          if (label == 1 && p.y > 1 && p.y < 1.1f) return kSolid;
+                          return label == 1 && p.y > 1.1f ? Label{2} : label;
+                        }));
+  expectAt(rooms, {1.95f, 0.5f, 1.5f}, 1, true);
+  expectAt(rooms, {1.95f, 1.5f, 1.5f}, 2, true);
+  expectAt(rooms, {2.05f, 0.5f, 1.5f}, 2, true);
+  expectAt(rooms, {2.05f, 1.5f, 1.5f}, 2, true);
+}
+
 TEST(Locate, InAWallTheNearestRoomIsFound) {
   const Rooms rooms;
   expectAt(rooms, {1.96f, 1, 0.5f}, 1, false);
