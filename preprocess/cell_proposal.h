@@ -42,8 +42,4 @@ struct CellParameters {
 CellProposal findCells(const Building& building, std::span<const ObjectRole> roles,
                        const VoxelGrid& voxels, const CellParameters& parameters);
 
-/// The cells and portals that the model's author named: `NAME-room`, `NAME-portal`, `NAME-bound`,
-/// or `extras.enfilade`. Empty cell_names beyond the exterior: the author named none.
-CellProposal authoredCells(const Building& building, const VoxelGrid& voxels);
-
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #include "preprocess/grow_cells.h"
 
+#include <algorithm>
 #include <array>
 
 namespace enfilade {
@@ -40,23 +41,31 @@ struct Grower {
            !(voxels.bits[index(v)] & kVoxelSolid);
   }
 
+  glm::ivec3 voxelAt(std::size_t i) const {
+    const auto size_y = static_cast<std::size_t>(voxels.size.y);
+    const auto size_z = static_cast<std::size_t>(voxels.size.z);
+    return {static_cast<int>(i / size_y / size_z), static_cast<int>(i % size_y),
+            static_cast<int>(i / size_y % size_z)};
+  }
+
   /// Owned voxels with a free neighbour that nobody owns, in the grid's order.
   std::vector<glm::ivec3> front() const {
-    std::vector<glm::ivec3> found;
-    glm::ivec3 v;
-    for (v.x = 0; v.x < voxels.size.x; ++v.x) {
-      for (v.z = 0; v.z < voxels.size.z; ++v.z) {
-        for (v.y = 0; v.y < voxels.size.y; ++v.y) {
-          if (owner[index(v)] == CellProposal::kNobody) continue;
-          for (const glm::ivec3& side : kSides) {
-            if (!unowned(v + side)) continue;
-            found.push_back(v);
-            break;
-          }
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      if (owner[i] != CellProposal::kNobody || (voxels.bits[i] & kVoxelSolid)) continue;
+      const glm::ivec3 v = voxelAt(i);
+      for (const glm::ivec3& side : kSides) {
+        const glm::ivec3 other = v + side;
+        if (voxels.contains(other) && owner[index(other)] != CellProposal::kNobody) {
+          found.push_back(index(other));
         }
       }
     }
-    return found;
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::vector<glm::ivec3> result;
+    for (const std::size_t i : found) result.push_back(voxelAt(i));
+    return result;
   }
 
   void grow(bool only_roomy, bool in_range) {

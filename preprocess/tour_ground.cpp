@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kRoomy = 1.2f;           // [m] more clearance makes a place no better
 constexpr float kCentral = 0.08f;        // [1/m] of clearance given up to be near the middle
-constexpr float kFarInside = 4.0f;       // [m] walked from a target: a large room has another there
+constexpr float kFarInside = 5.5f;       // [m] walked from a target: a large room has another there
 constexpr float kFarClearance = 0.35f;   // [m] tighter places call for no target
 constexpr std::size_t kMostTargets = 6;  // of one cell
 

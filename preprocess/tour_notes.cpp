@@ -73,6 +73,7 @@ class Reasons {
       return fmt::format("no floor with {:.2f} m of head room", grid_.limits.head_room);
     }
     if (!fits) return fmt::format("nowhere wider than {:.2f} m", 2 * kNarrowestClearance);
+    if (!anyPortal(cell)) return "no portal leads there";
     if (leaks) return "the only way in crosses no open portal";
     if (squeezes)
       return fmt::format("the way in is narrower than {:.2f} m", 2 * kNarrowestClearance);
@@ -89,6 +90,12 @@ class Reasons {
       const SpotId next = grid_.spotInColumn(s, there, step);
       if (next != kNoSpot) visit(next);
     }
+  }
+
+  bool anyPortal(CellId cell) const {
+    return std::any_of(
+        house_.graph.portals.begin(), house_.graph.portals.end(),
+        [&](const Portal& p) { return p.active && (p.front == cell || p.back == cell); });
   }
 
   bool onlyWindows(CellId cell) const {

@@ -45,7 +45,7 @@ class BrushFire {
   void light(SpotId s) {
     for (int d = 0; d < 8; ++d) {
       const glm::ivec2 there = grid_.columnOf(s) + glm::ivec2(kDirections[d][0], kDirections[d][1]);
-      if (grid_.spotInColumn(s, there, grid_.limits.step_height) == kNoSpot) offer(s, there);
+      if (grid_.mutualSpot(s, there) == kNoSpot) offer(s, there);
     }
   }
 

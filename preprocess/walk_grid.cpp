@@ -191,15 +191,27 @@ SpotId WalkGrid::spotInColumn(SpotId spot, const glm::ivec2& target, float step)
   return best;
 }
 
-SpotId WalkGrid::neighbour(SpotId spot, int direction) const noexcept {
-  const auto side = [&](int d) {
-    const int* step = kDirections[d & 7];
-    return spotInColumn(spot, columnOf(spot) + glm::ivec2(step[0], step[1]), limits.step_height);
-  };
-  const SpotId there = side(direction);
+SpotId WalkGrid::mutualSpot(SpotId spot, const glm::ivec2& target) const noexcept {
+  const SpotId there = spotInColumn(spot, target, limits.step_height);
   if (there == kNoSpot) return kNoSpot;
-  if ((direction & 1) != 0 && (side(direction - 1) == kNoSpot || side(direction + 1) == kNoSpot)) {
-    return kNoSpot;
+  const bool alone = first[column[spot] + 1] - first[column[spot]] == 1;
+  if (alone || spotInColumn(there, columnOf(spot), limits.step_height) == spot) return there;
+  return kNoSpot;
+}
+
+SpotId WalkGrid::neighbour(SpotId spot, int direction) const noexcept {
+  const glm::ivec2 here = columnOf(spot);
+  const auto columnAlong = [&](int d) {
+    return here + glm::ivec2(kDirections[d & 7][0], kDirections[d & 7][1]);
+  };
+  const glm::ivec2 target = columnAlong(direction);
+  const SpotId there = mutualSpot(spot, target);
+  if (there == kNoSpot) return kNoSpot;
+  if ((direction & 1) != 0) {
+    for (const int side : {direction - 1, direction + 1}) {
+      const SpotId corner = mutualSpot(spot, columnAlong(side));
+      if (corner == kNoSpot || mutualSpot(corner, target) != there) return kNoSpot;
+    }
   }
   if (!cell.empty() && !mayPass(cell[spot], cell[there])) return kNoSpot;
   return there;

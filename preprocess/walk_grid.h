@@ -46,12 +46,15 @@ struct WalkGrid {
   glm::vec3 eyeOf(SpotId spot) const noexcept;
 
   /// The spot that one step in direction 0…7 reaches (0 is +x, counting toward +z; odd ones are
-  /// diagonal and need both of their straight neighbours), or kNoSpot: nothing there to stand on,
-  /// too high, too low overhead, or in a cell that no portal joins to this one.
+  /// diagonal and need both straight ways around the corner), or kNoSpot: nothing there to stand
+  /// on, too high, too low overhead, or in a cell that no portal joins to this one.
   SpotId neighbour(SpotId spot, int direction) const noexcept;
 
   /// The spot in `column` that one step of at most `step` joins to `spot`, whatever the cells.
   SpotId spotInColumn(SpotId spot, const glm::ivec2& target, float step) const noexcept;
+
+  /// The same with the walker's own step, and only if the step back leads to `spot` again.
+  SpotId mutualSpot(SpotId spot, const glm::ivec2& target) const noexcept;
 
   bool mayPass(CellId a, CellId b) const noexcept {
     return a == b || a == kNoCell || b == kNoCell || joined[a * cell_count + b] != 0;

@@ -93,6 +93,7 @@ ScreenRegion boundingRegion(const View& view, std::span<const ScreenRegion> regi
 }
 
 bool contains(const ScreenRegion& outer, const ScreenRegion& inner) noexcept {
+  if (outer.empty()) return inner.empty();
   for (std::size_t i = 0; i < outer.corners.size(); ++i) {
     const glm::dvec2 a(outer.corners[i]);
     const glm::dvec2 edge = glm::dvec2(outer.corners[(i + 1) % outer.corners.size()]) - a;

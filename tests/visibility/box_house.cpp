@@ -219,4 +219,26 @@ bool BoxHouse::sees(const glm::dvec3& a, const glm::dvec3& b) const {
   return true;
 }
 
+glm::vec3 randomPoint(std::mt19937& random, const BoxHouse& house, double margin) {
+  const glm::dvec3 least = house.least() - margin;
+  const glm::dvec3 most = house.most() + margin;
+  glm::dvec3 p;
+  for (int axis = 0; axis < 3; ++axis) {
+    p[axis] = std::uniform_real_distribution<double>(least[axis], most[axis])(random);
+  }
+  return glm::vec3(p);
+}
+
+glm::vec3 pointAtAnOpening(std::mt19937& random, const BoxHouse& house) {
+  const auto& [least, most] = house.openings()[random() % house.openings().size()];
+  glm::vec3 p;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double kinds[] = {0, 1, 0.5, uniform(random, 0, 1), uniform(random, -0.5, 1.5)};
+    p[axis] = static_cast<float>(glm::mix(least[axis], most[axis], kinds[random() % 5]));
+    const float offs[] = {0, 0, 1e-6f, 1e-4f, 1e-2f, 0.14f, 0.16f};
+    p[axis] += offs[random() % 7] * (random() % 2 ? 1.0f : -1.0f);
+  }
+  return p;
+}
+
 }  // namespace enfilade::testing

@@ -62,4 +62,11 @@ class BoxHouse {
   CellGraph graph_;
 };
 
+/// A point in the house or up to `margin` [m] outside.
+glm::vec3 randomPoint(std::mt19937& random, const BoxHouse& house, double margin);
+
+/// A point in an opening, on its edge, in its corner, or off it within its plane; or as near to
+/// such a point as makes trouble.
+glm::vec3 pointAtAnOpening(std::mt19937& random, const BoxHouse& house);
+
 }  // namespace enfilade::testing

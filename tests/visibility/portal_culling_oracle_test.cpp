@@ -1,4 +1,4 @@
-// Portal culling and the portal walk against houses of boxes, in which what is seen is known.
+// Portal culling against houses of boxes, in which what is seen is known.
 
 #include <gtest/gtest.h>
 
@@ -13,30 +13,6 @@ namespace enfilade {
 namespace {
 
 using namespace enfilade::testing;
-
-glm::vec3 randomPoint(std::mt19937& random, const BoxHouse& house, double margin) {
-  const glm::dvec3 least = house.least() - margin;
-  const glm::dvec3 most = house.most() + margin;
-  glm::dvec3 p;
-  for (int axis = 0; axis < 3; ++axis) {
-    p[axis] = std::uniform_real_distribution<double>(least[axis], most[axis])(random);
-  }
-  return glm::vec3(p);
-}
-
-/// A point in an opening, on its edge, in its corner, or off it within its plane; or as near to
-/// such a point as makes trouble.
-glm::vec3 pointAtAnOpening(std::mt19937& random, const BoxHouse& house) {
-  const auto& [least, most] = house.openings()[random() % house.openings().size()];
-  glm::vec3 p;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double kinds[] = {0, 1, 0.5, uniform(random, 0, 1), uniform(random, -0.5f, 1.5f)};
-    p[axis] = static_cast<float>(glm::mix(least[axis], most[axis], kinds[random() % 5]));
-    const float offs[] = {0, 0, 1e-6f, 1e-4f, 1e-2f, 0.14f, 0.16f};
-    p[axis] += offs[random() % 7] * (random() % 2 ? 1.0f : -1.0f);
-  }
-  return p;
-}
 
 bool isSeen(const VisibleSet& set, CellId cell, const glm::dvec2& at, const glm::vec3& p) {
   const auto seen = std::find_if(set.cells.begin(), set.cells.end(),
@@ -195,51 +171,6 @@ TEST(PortalCullingOracle, BehindAPortalIsWhatIsSeenThroughIt) {
     }
   }
   EXPECT_GT(seen, 1000);
-}
-
-/// Whether a segment passes so near to a portal's rim that the tolerance decides.
-bool grazesARim(const CellGraph& graph, const glm::vec3& a, const glm::vec3& b, float tolerance) {
-  return std::any_of(graph.portals.begin(), graph.portals.end(), [&](const Portal& portal) {
-    const float da = portal.plane.signedDistance(a);
-    const float db = portal.plane.signedDistance(b);
-    if (std::min(std::abs(da), std::abs(db)) > tolerance && da * db > 0) return false;
-    const glm::vec3 hit = da == db ? a : a + std::clamp(da / (da - db), 0.0f, 1.0f) * (b - a);
-    for (std::size_t i = 0; i < portal.polygon.size(); ++i) {
-      const glm::vec3& corner = portal.polygon[i];
-      const glm::vec3 edge = portal.polygon[(i + 1) % portal.polygon.size()] - corner;
-      const float t = std::clamp(glm::dot(hit - corner, edge) / glm::dot(edge, edge), 0.0f, 1.0f);
-      if (glm::distance(hit, corner + t * edge) < tolerance) return true;
-    }
-    return false;
-  });
-}
-
-TEST(PortalWalk, EndsInThePointsOwnCellAndListsThePortalsInOrder) {
-  std::mt19937 random(6);
-  int with_portals = 0;
-  std::vector<PortalCrossing> crossings;
-  for (unsigned seed = 300; seed < 340; ++seed) {
-    const BoxHouse house(seed, {});
-    const PortalWalker walker(house.graph());
-    for (int i = 0; i < 10000; ++i) {
-      const glm::vec3 a =
-          i % 4 == 0 ? pointAtAnOpening(random, house) : randomPoint(random, house, 2);
-      const glm::vec3 b = randomPoint(random, house, 2);
-      if (!house.sees(a, b) || grazesARim(house.graph(), a, b, 0.03f)) continue;
-      const float distance = glm::distance(a, b);
-      const CellId end = walker.walk(house.cellAt(a), a, (b - a) / distance, distance, crossings);
-      ASSERT_EQ(end, house.cellAt(b));
-      with_portals += !crossings.empty();
-      CellId cell = house.cellAt(a);
-      for (std::size_t c = 0; c < crossings.size(); ++c) {
-        const Portal& portal = house.graph().portals[crossings[c].portal];
-        EXPECT_EQ(cell, portal.cellBehind(!crossings[c].from_front));
-        EXPECT_GE(crossings[c].distance, c == 0 ? -1 : crossings[c - 1].distance - 0.2f);
-        cell = portal.cellBehind(crossings[c].from_front);
-      }
-    }
-  }
-  EXPECT_GT(with_portals, 1000);
 }
 
 }  // namespace

@@ -1,0 +1,289 @@
+#include "models/floor_plan.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "models/json_view.h"
+#include "models/patterns.h"
+#include "models/shapes.h"
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+constexpr double kTurn = 360;  // the largest turn either way [degrees]
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+glm::dvec3 parseColor(const JsonView& json) {
+  const std::string text = json.text();
+  const bool hex = text.size() == 7 && text[0] == '#' &&
+                   text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!hex) json.fail("must be a colour such as \"#a0522d\"");
+  const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
+  return glm::dvec3(value >> 16 & 255, value >> 8 & 255, value & 255) / 255.0;
+}
+
+PlanFinish parseFinish(const std::string& name, const JsonView& json) {
+  json.allowOnly({"pattern", "colors", "size", "seed", "double_sided"});
+  PlanFinish finish;
+  finish.name = name;
+  finish.pattern = json.textAt("pattern", "plain");
+  if (!isPattern(finish.pattern))
+    json.at("pattern").fail("no pattern is called that; there are: " + listed(patternNames()));
+  for (const JsonView& color : json.itemsAt("colors")) finish.colors.push_back(parseColor(color));
+  if (finish.colors.empty()) json.at("colors").fail("needs at least one colour");
+  finish.size = json.numberAt("size", 0.01, 1000, 1);
+  finish.seed = static_cast<std::uint32_t>(json.numberAt("seed", 0, 1e9, 0));
+  finish.double_sided = json.flagAt("double_sided", false);
+  return finish;
+}
+
+PlanPart parsePart(const JsonView& json) {
+  PlanPart part;
+  part.shape = json.textAt("shape");
+  const ShapeKind* kind = findShape(part.shape);
+  if (kind == nullptr)
+    json.at("shape").fail("no shape is called that; there are: " + listed(shapeNames()));
+  part.finish = json.textAt("finish");
+  part.turn = json.numberAt("turn", -kTurn, kTurn, 0);
+  part.detail = json.numberAt("detail", 0.01, 100, 1);
+  if (json.has("at")) {
+    const auto xyz = json.at("at").items();
+    if (xyz.size() != 3) json.at("at").fail("must be [x, y, z]");
+    for (int i = 0; i < 3; ++i) part.at[i] = xyz[static_cast<std::size_t>(i)].number(-1000, 1000);
+  }
+  for (const ShapeParameter& p : kind->parameters) part.numbers[p.name] = p.fallback;
+  for (const auto& [key, value] : json.members()) {
+    if (key == "shape" || key == "finish" || key == "turn" || key == "detail" || key == "at")
+      continue;
+    const ShapeParameter* parameter = kind->find(key);
+    if (parameter == nullptr) json.fail(fmt::format("{} has no \"{}\"", part.shape, key));
+    part.numbers[key] = value.number(parameter->least, parameter->most);
+  }
+  return part;
+}
+
+PlanPiece parsePiece(const std::string& name, const JsonView& json) {
+  PlanPiece piece{name, {}};
+  if (json.has("parts")) {
+    json.allowOnly({"parts"});
+    for (const JsonView& part : json.itemsAt("parts")) piece.parts.push_back(parsePart(part));
+    if (piece.parts.empty()) json.at("parts").fail("needs at least one part");
+  } else {
+    piece.parts.push_back(parsePart(json));
+  }
+  return piece;
+}
+
+PlanWall parseWall(const JsonView& json, double fallback_thickness) {
+  json.allowOnly({"from", "to", "thickness"});
+  PlanWall wall{json.pointAt("from"), json.pointAt("to"),
+                json.numberAt("thickness", 0.05, 2, fallback_thickness)};
+  if (glm::distance(wall.from, wall.to) < 0.1) json.fail("is shorter than 0.1 m");
+  return wall;
+}
+
+PlanRoom parseRoom(const JsonView& json, const PlanRoom& defaults) {
+  json.allowOnly({"name", "at", "height", "floor", "walls", "ceiling", "trim"});
+  PlanRoom room;
+  room.name = json.textAt("name");
+  if (room.name == kOutsideName) json.at("name").fail("is the name of what lies outside");
+  room.at = json.pointAt("at");
+  room.height = json.numberAt("height", 2, 20, defaults.height);
+  room.floor = json.textAt("floor");
+  room.walls = json.textAt("walls");
+  room.ceiling = json.textAt("ceiling", defaults.ceiling);
+  room.trim = json.textAt("trim", defaults.trim);
+  return room;
+}
+
+OpeningKind parseKind(const JsonView& json) {
+  const std::string kind = json.text();
+  if (kind == "door") return OpeningKind::kDoor;
+  if (kind == "window") return OpeningKind::kWindow;
+  if (kind == "opening") return OpeningKind::kOpening;
+  json.fail("must be door, window or opening");
+}
+
+PlanOpening parseOpening(const JsonView& json) {
+  json.allowOnly({"kind", "between", "at", "width", "sill", "head", "panes"});
+  PlanOpening opening;
+  opening.kind = parseKind(json.at("kind"));
+  const auto between = json.itemsAt("between");
+  if (between.size() != 2) json.at("between").fail("must name two rooms, or a room and exterior");
+  opening.between = {between[0].text(), between[1].text()};
+  if (opening.between[0] == kOutsideName)
+    json.at("between").fail("must begin with a room, not the exterior");
+  opening.at = json.pointAt("at");
+  opening.width = json.numberAt("width", 0.2, 20);
+  opening.sill = json.numberAt("sill", 0, 20, 0);
+  opening.head = json.numberAt("head", 0.2, 20);
+  if (opening.head < opening.sill + 0.2) json.at("head").fail("must be 0.2 m above the sill");
+  if (json.has("panes")) {
+    const auto panes = json.at("panes").items();
+    if (panes.size() != 2) json.at("panes").fail("must be [across, up]");
+    opening.panes = {panes[0].number(1, 12), panes[1].number(1, 12)};
+  }
+  return opening;
+}
+
+PlanFitting parseFitting(const JsonView& json) {
+  json.allowOnly({"piece", "on", "room", "at", "height", "turn", "scale", "on_wall"});
+  PlanFitting fitting;
+  fitting.piece = json.textAt("piece");
+  if (json.has("on")) fitting.on = json.textAt("on");
+  fitting.room = json.textAt("room");
+  fitting.at = json.pointAt("at");
+  fitting.height = json.numberAt("height", 0, 20, 0);
+  fitting.turn = json.numberAt("turn", -kTurn, kTurn, 0);
+  fitting.scale = json.numberAt("scale", 0.01, 100, 1);
+  fitting.on_wall = json.flagAt("on_wall", false);
+  return fitting;
+}
+
+void parseStorey(const JsonView& json, FloorPlan& plan) {
+  json.allowOnly({"name", "floor", "height", "wall_thickness", "defaults", "walls", "solids",
+                  "rooms", "openings", "fittings"});
+  plan.storey = json.textAt("name", plan.storey);
+  plan.floor = json.numberAt("floor", -100, 1000, 0);
+  plan.height = json.numberAt("height", 2, 40);
+  const double thickness = json.numberAt("wall_thickness", 0.05, 2, 0.25);
+  PlanRoom defaults;
+  if (json.has("defaults")) {
+    const JsonView view = json.at("defaults");
+    view.allowOnly({"height", "ceiling", "trim"});
+    defaults.height = view.numberAt("height", 2, 20, defaults.height);
+    defaults.ceiling = view.textAt("ceiling", "");
+    defaults.trim = view.textAt("trim", "");
+  }
+  for (const JsonView& wall : json.itemsAt("walls"))
+    plan.walls.push_back(parseWall(wall, thickness));
+  for (const JsonView& solid : json.itemsAt("solids", false)) {
+    solid.allowOnly({"at"});
+    plan.solids.push_back(solid.pointAt("at"));
+  }
+  for (const JsonView& room : json.itemsAt("rooms"))
+    plan.rooms.push_back(parseRoom(room, defaults));
+  for (const JsonView& opening : json.itemsAt("openings", false))
+    plan.openings.push_back(parseOpening(opening));
+  for (const JsonView& fitting : json.itemsAt("fittings", false))
+    plan.fittings.push_back(parseFitting(fitting));
+}
+
+void parseOutside(const JsonView& json, FloorPlan& plan) {
+  json.allowOnly({"ground", "margin", "facade", "roof", "floor", "trim"});
+  plan.ground = json.numberAt("ground", -100, plan.floor, plan.floor);
+  plan.margin = json.numberAt("margin", 1, 1000, plan.margin);
+  plan.facade = json.textAt("facade");
+  plan.roof = json.textAt("roof");
+  plan.ground_finish = json.textAt("floor");
+  plan.outside_trim = json.textAt("trim");
+}
+
+/// Every name that the plan uses must stand for something in it.
+class NameCheck {
+ public:
+  NameCheck(const FloorPlan& plan, const std::string& subject) : plan_(plan), subject_(subject) {}
+
+  void run() const {
+    checkRooms();
+    checkOpenings();
+    checkFittings();
+    for (const auto& [name, piece] : plan_.pieces)
+      for (const PlanPart& part : piece.parts) finish(part.finish, "pieces." + name);
+    for (const std::string& name :
+         {plan_.facade, plan_.roof, plan_.ground_finish, plan_.outside_trim})
+      finish(name, "outside");
+  }
+
+ private:
+  void checkRooms() const {
+    std::set<std::string> names;
+    for (const PlanRoom& r : plan_.rooms) {
+      if (!names.insert(r.name).second) fail("two rooms are called \"" + r.name + "\"");
+      for (const std::string& name : {r.floor, r.walls, r.ceiling, r.trim})
+        finish(name, "room " + r.name);
+    }
+    if (plan_.rooms.empty()) fail("has no rooms");
+  }
+
+  void checkOpenings() const {
+    for (std::size_t i = 0; i < plan_.openings.size(); ++i)
+      for (const std::string& name : plan_.openings[i].between)
+        room(name, fmt::format("openings[{}]", i));
+  }
+
+  void checkFittings() const {
+    for (std::size_t i = 0; i < plan_.fittings.size(); ++i) {
+      const PlanFitting& f = plan_.fittings[i];
+      const std::string place = fmt::format("fittings[{}]", i);
+      room(f.room, place);
+      for (const std::string& name : {f.piece, f.on})
+        if (!name.empty() && !plan_.pieces.contains(name))
+          fail(place + ": there is no piece \"" + name + "\"");
+      if (!f.on.empty() && !plan_.pieces.at(f.on).parts[0].numbers.contains("height"))
+        fail(place + ": nothing can stand on \"" + f.on + "\", which has no height");
+    }
+  }
+
+  void room(const std::string& name, const std::string& place) const {
+    if (name != kOutsideName && plan_.roomIndex(name) < 0)
+      fail(place + ": there is no room \"" + name + "\"");
+  }
+
+  void finish(const std::string& name, const std::string& place) const {
+    if (!plan_.finishes.contains(name)) fail(place + ": there is no finish \"" + name + "\"");
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw Error(ErrorKind::kBadInput, subject_, reason);
+  }
+
+  const FloorPlan& plan_;
+  const std::string& subject_;
+};
+
+}  // namespace
+
+int FloorPlan::roomIndex(const std::string& room) const {
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    if (rooms[i].name == room) return static_cast<int>(i);
+  return -1;
+}
+
+FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject) {
+  nlohmann::json document;
+  try {
+    document = nlohmann::json::parse(json_text);
+  } catch (const nlohmann::json::exception& e) {
+    throw Error(ErrorKind::kBadInput, subject, std::string("is not JSON: ") + e.what());
+  }
+  const JsonView json(document, subject);
+  json.allowOnly({"enfilade", "version", "name", "copyright", "triangles", "storeys", "outside",
+                  "pieces", "finishes"});
+  if (json.textAt("enfilade") != "plan") json.at("enfilade").fail("must be \"plan\"");
+  json.numberAt("version", 1, 1);
+  FloorPlan plan;
+  plan.name = json.textAt("name");
+  plan.copyright = json.textAt("copyright", plan.name);
+  plan.triangles = static_cast<std::uint64_t>(json.numberAt("triangles", 0, 1e8, 150000));
+  for (const auto& [name, finish] : json.at("finishes").members())
+    plan.finishes[name] = parseFinish(name, finish);
+  for (const auto& [name, piece] : json.at("pieces").members())
+    plan.pieces[name] = parsePiece(name, piece);
+  const auto storeys = json.itemsAt("storeys");
+  if (storeys.size() != 1) json.at("storeys").fail("must hold exactly one storey");
+  parseStorey(storeys[0], plan);
+  parseOutside(json.at("outside"), plan);
+  NameCheck(plan, subject).run();
+  return plan;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "models/floor_plan.h"
+#include "scene/building.h"
+
+namespace enfilade {
+
+/// Raises a plan into a building of about `triangles` triangles: rooms first, in the plan's order,
+/// each a node `ROOM-room` with its walls, floor, ceiling, trim, portals and bounds; then the
+/// node `outside` with facade, roof and ground; then the fittings.  Every room is closed but for
+/// its portals.  Single-sided faces, vertices shared exactly.  Throws Error (kBadInput) as layOut
+/// does; `subject` names the plan.
+Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject);
+
+}  // namespace enfilade

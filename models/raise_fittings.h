@@ -1,0 +1,14 @@
+#pragma once
+
+#include "models/building_raiser.h"
+
+namespace enfilade {
+
+/// Sets the plan's fittings in their places, children of `room_nodes` (as FloorPlan::rooms) or of
+/// `outside_node`.  A piece is raised once and shared by all its places.  The curved surfaces are
+/// given as many triangles as bring the whole building nearest to `triangles` (markers not
+/// counted), in fixed proportions.  Throws Error (kBadInput) for what would hang in an opening.
+void raiseFittings(BuildingRaiser& raiser, const std::vector<std::uint32_t>& room_nodes,
+                   std::uint32_t outside_node, std::uint64_t triangles, const std::string& subject);
+
+}  // namespace enfilade

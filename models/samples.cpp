@@ -1,0 +1,43 @@
+#include "models/samples.h"
+
+#include <algorithm>
+
+#include "models/embedded_plans.h"
+#include "models/floor_plan.h"
+#include "models/raise_building.h"
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+constexpr std::uint64_t kLeast = 50'000, kMost = 10'000'000;
+
+std::string knownNames() {
+  std::string names;
+  for (const std::string& name : sampleNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> sampleNames() {
+  std::vector<std::string> names;
+  for (const EmbeddedPlan& plan : embeddedPlans()) names.emplace_back(plan.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Building raiseSample(const std::string& name, std::uint64_t triangles) {
+  const auto plans = embeddedPlans();
+  const auto found = std::find_if(plans.begin(), plans.end(),
+                                  [&](const EmbeddedPlan& p) { return p.name == name; });
+  if (found == plans.end())
+    throw Error(ErrorKind::kUsage, name, "no sample is called that; there are: " + knownNames());
+  if (triangles != 0 && (triangles < kLeast || triangles > kMost))
+    throw Error(ErrorKind::kUsage, name, "triangles must be from 50000 to 10000000");
+  const std::string subject = "plans/" + name + ".json";
+  const FloorPlan plan = parseFloorPlan(found->text, subject);
+  return raiseBuilding(plan, triangles == 0 ? plan.triangles : triangles, subject);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,185 @@
+#include "preprocess/preprocess.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "preprocess/authored_names.h"
+#include "preprocess/bake_images.h"
+#include "preprocess/cut_cells.h"
+#include "preprocess/house_folder.h"
+#include "preprocess/share_geometry.h"
+#include "scene/error.h"
+#include "scene/file_io.h"
+#include "scene/gltf_reader.h"
+
+namespace enfilade {
+
+namespace {
+
+// Times the stages and tells of their progress.
+class Stages {
+ public:
+  Stages(const ProgressSink& sink, std::vector<StageTime>& times) : sink_(sink), times_(times) {}
+
+  template <class Work>
+  auto run(const std::string& stage, Work&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    tell(stage, 0);
+    const auto note = [&] {
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      times_.push_back({stage, taken.count()});
+      tell(stage, 1);
+    };
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      note();
+    } else {
+      auto result = work();
+      note();
+      return result;
+    }
+  }
+  void tell(const std::string& stage, double done) const {
+    if (sink_) sink_(stage, done);
+  }
+
+ private:
+  const ProgressSink& sink_;
+  std::vector<StageTime>& times_;
+};
+
+std::vector<ObjectRole> rolesOf(const Building& building, const PreprocessParameters& parameters) {
+  std::vector<ObjectRole> roles;
+  for (const Object& object : building.objects) {
+    ObjectRole role = ObjectRole::kFixed;
+    if (matchesName(building, object, parameters.doors))
+      role = ObjectRole::kDoor;
+    else if (matchesName(building, object, parameters.windows))
+      role = ObjectRole::kGlass;
+    roles.push_back(role);
+  }
+  return roles;
+}
+
+std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p) {
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  return {{"doors", p.doors},
+          {"windows", p.windows},
+          {"automatic", p.automatic ? "true" : "false"},
+          {"images", p.images ? "true" : "false"},
+          {"voxel_m", number(p.cells.voxel)},
+          {"slice_height_m", number(p.cells.slice_height)},
+          {"lintel_radius_m", number(p.cells.lintel_radius)},
+          {"lintel_head_m", number(p.cells.lintel_head)},
+          {"merge_ratio", number(p.cells.merge_ratio)},
+          {"smallest_room_m2", number(p.cells.smallest_room)},
+          {"smallest_door_m", number(p.cells.smallest_door)},
+          {"image_size_px", number(p.image.image_size)},
+          {"captures", number(p.image.captures)},
+          {"capture_angle_deg", number(p.image.capture_angle)},
+          {"switch_distance_m", number(p.image.switch_distance)},
+          {"ldi_half_width", number(p.image.ldi_half_width)},
+          {"depth_threshold_px", number(p.image.depth_threshold)},
+          {"eye_height_m", number(p.eye_height)},
+          {"rays_per_cell", number(p.rays_per_cell)}};
+}
+
+// What the author said of a portal and what the voxels say, where they differ.
+void compareWithAuthor(const AuthoredNames& names, CutCells& cells) {
+  for (const auto& named : names.portals) {
+    for (const Portal& portal : cells.graph.portals) {
+      if (portal.name != named.portal.name) continue;
+      const std::string& front = cells.graph.cells[portal.front].name;
+      const std::string& back = cells.graph.cells[portal.back].name;
+      const bool from_there = named.from.empty() || front == named.from || back == named.from;
+      const bool to_there = named.to.empty() || front == named.to || back == named.to;
+      if (from_there && to_there) continue;
+      cells.log.push_back(fmt::format("{} is said to join {} and {}; it joins {} and {}",
+                                      portal.name, named.from, named.to, front, back));
+    }
+  }
+}
+
+std::map<std::string, double> statisticsOf(const House& house, const Building& model) {
+  std::size_t doors = 0;
+  for (const ObjectRole role : house.object_roles) doors += role == ObjectRole::kDoor;
+  return {{"model_triangles", static_cast<double>(triangleCount(model))},
+          {"model_objects", static_cast<double>(model.objects.size())},
+          {"objects", static_cast<double>(house.building.objects.size())},
+          {"door_objects", static_cast<double>(doors)},
+          {"cells", static_cast<double>(house.graph.cells.size())},
+          {"portals", static_cast<double>(house.graph.portals.size())}};
+}
+
+House makeHouse(Building model, const PreprocessParameters& parameters, Stages& stages) {
+  const AuthoredNames names = takeAuthoredNames(model);
+  const std::vector<ObjectRole> roles = rolesOf(model, parameters);
+  const VoxelGrid voxels =
+      stages.run("voxelise", [&] { return voxelise(model, roles, parameters.cells.voxel); });
+  const bool authored = !names.empty() && !parameters.automatic;
+  CutCells cells = stages.run("find cells and portals", [&] {
+    return cutCells(voxels, authored ? authoredCells(names, voxels)
+                                     : findCells(model, roles, voxels, parameters.cells));
+  });
+  if (authored) compareWithAuthor(names, cells);
+  SharedGeometry shared = stages.run("share out the geometry", [&] {
+    const Patches patches = makePatches(model);
+    PatchCells claims = claimByTouch(model, patches, voxels, cells);
+    claimBySight(
+        model, roles, patches, cells, parameters.rays_per_cell, parameters.threads,
+        [&](double done) { stages.tell("share out the geometry", done); }, claims);
+    return splitByCells(model, roles, patches, claims);
+  });
+  House house;
+  house.graph = std::move(cells.graph);
+  house.grid = std::move(cells.grid);
+  house.info.log = std::move(cells.log);
+  house.building = std::move(shared.building);
+  house.object_roles = std::move(shared.roles);
+  house.object_cells = std::move(shared.cells);
+  house.switch_distance = parameters.image.switch_distance;
+  house.eye_height = parameters.eye_height;
+  house.info.parameters = parameterTexts(parameters);
+  house.info.parameters["cells"] = authored ? "authored" : "automatic";
+  house.info.statistics = statisticsOf(house, model);
+  return house;
+}
+
+}  // namespace
+
+PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
+                                    const PreprocessParameters& parameters,
+                                    const ProgressSink& progress) {
+  std::unique_ptr<tbb::global_control> limit;
+  if (parameters.threads > 0) {
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<std::size_t>(parameters.threads));
+  }
+  PreprocessResult result;
+  Stages stages(progress, result.stages);
+  Building model = stages.run("read the model", [&] { return readGltf(model_file); });
+  HouseFolder output(folder);
+  result.house = makeHouse(std::move(model), parameters, stages);
+  result.house.info.model_name = std::filesystem::path(model_file).filename().string();
+  result.house.info.model_sha256 = sha256Hex(readFile(model_file));
+  output.clear();
+  if (parameters.images) {
+    const std::string stage = "bake the portals' images";
+    const BakedImages baked = stages.run(stage, [&] {
+      return bakeImages(result.house, parameters.image, folder, parameters.threads, progress);
+    });
+    result.images = baked.images;
+    result.image_bytes = baked.bytes;
+    result.house.info.statistics["images"] = static_cast<double>(baked.images);
+    result.house.info.statistics["image_bytes"] = static_cast<double>(baked.bytes);
+  }
+  stages.run("write the house", [&] { writeHouse(folder, result.house); });
+  output.finish();
+  return result;
+}
+
+}  // namespace enfilade
