@@ -13,6 +13,7 @@ std::uint32_t BuildingRaiser::material(const std::string& finish_name) {
   Material material;
   material.name = finish_name;
   material.double_sided = look.double_sided;
+  material.unlit = look.unlit;
   if (look.pattern == "plain") {
     material.base_color = glm::vec4(glm::pow(look.colors[0], glm::dvec3(2.2)), 1.0);
   } else {

@@ -19,18 +19,19 @@ struct Bump {
 
 /// Features of a face, for a bust of height 1; both sides of those beside the middle.
 constexpr Bump kFeatures[] = {
-    {0, 0.735, 0.13, 0.035, 0.034},      // nose
-    {0, 0.715, 0.16, 0.014, 0.016},      // its tip
-    {0, 0.775, 0.11, 0.03, 0.014},       // its bridge
-    {0, 0.655, 0.26, 0.011, 0.013},      // upper lip
-    {0, 0.640, 0.22, 0.010, 0.012},      // lower lip
-    {0, 0.595, 0.30, 0.025, 0.018},      // chin
-    {0.33, 0.785, 0.17, 0.018, -0.020},  // eye sockets
-    {0.33, 0.783, 0.12, 0.011, 0.012},   // eyes
-    {0.32, 0.815, 0.26, 0.012, 0.010},   // brows
-    {0.52, 0.715, 0.28, 0.04, 0.010},    // cheeks
-    {1.55, 0.745, 0.16, 0.035, 0.022},   // ears
-    {1.50, 0.745, 0.07, 0.02, -0.012},   // their hollows
+    {0, 0.735, 0.12, 0.032, 0.046},      // nose
+    {0, 0.712, 0.15, 0.013, 0.024},      // its tip
+    {0, 0.780, 0.10, 0.03, 0.018},       // its bridge
+    {0, 0.660, 0.24, 0.011, 0.019},      // upper lip
+    {0, 0.638, 0.20, 0.010, 0.018},      // lower lip
+    {0, 0.590, 0.32, 0.025, 0.030},      // chin
+    {0.36, 0.783, 0.17, 0.018, -0.032},  // eye sockets
+    {0.36, 0.781, 0.11, 0.011, 0.021},   // eyes
+    {0.34, 0.820, 0.26, 0.012, 0.017},   // brows
+    {0.58, 0.715, 0.28, 0.04, 0.016},    // cheeks
+    {0.95, 0.640, 0.35, 0.035, 0.018},   // jaw
+    {1.55, 0.745, 0.16, 0.035, 0.028},   // ears
+    {1.50, 0.745, 0.07, 0.02, -0.016},   // their hollows
 };
 
 double featuresAt(double angle, double y) {
@@ -85,7 +86,7 @@ Shape makeBust(const ShapeNumbers& n) {
     const double deep = glm::mix(1.0, 1.22, head) * glm::mix(1.0, 0.62, chest);
     const double forward = 0.03 * head - 0.02 * ramp(0.9, 1, p.y);
     const double shade =
-        0.82 + 9 * std::min(features, 0.02) + 6 * (hair > 0 ? hair - 0.022 : 0.0) + 6 * folds;
+        0.84 + 9 * std::min(features, 0.015) + 6 * (hair > 0 ? hair - 0.022 : 0.0) + 6 * folds;
     return SurfacePoint{
         size * glm::dvec3(r * std::sin(angle), p.y, r * deep * std::cos(angle) + forward),
         std::clamp(shade, 0.4, 1.0) * (0.75 + 0.25 * ramp(0, 0.3, p.y))};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "models/json_view.h"
 #include "models/patterns.h"
@@ -31,7 +30,7 @@ glm::dvec3 parseColor(const JsonView& json) {
 }
 
 PlanFinish parseFinish(const std::string& name, const JsonView& json) {
-  json.allowOnly({"pattern", "colors", "size", "seed", "double_sided"});
+  json.allowOnly({"pattern", "colors", "size", "seed", "double_sided", "unlit"});
   PlanFinish finish;
   finish.name = name;
   finish.pattern = json.textAt("pattern", "plain");
@@ -42,6 +41,7 @@ PlanFinish parseFinish(const std::string& name, const JsonView& json) {
   finish.size = json.numberAt("size", 0.01, 1000, 1);
   finish.seed = static_cast<std::uint32_t>(json.numberAt("seed", 0, 1e9, 0));
   finish.double_sided = json.flagAt("double_sided", false);
+  finish.unlit = json.flagAt("unlit", false);
   return finish;
 }
 
@@ -187,76 +187,7 @@ void parseOutside(const JsonView& json, FloorPlan& plan) {
   plan.outside_trim = json.textAt("trim");
 }
 
-/// Every name that the plan uses must stand for something in it.
-class NameCheck {
- public:
-  NameCheck(const FloorPlan& plan, const std::string& subject) : plan_(plan), subject_(subject) {}
-
-  void run() const {
-    checkRooms();
-    checkOpenings();
-    checkFittings();
-    for (const auto& [name, piece] : plan_.pieces)
-      for (const PlanPart& part : piece.parts) finish(part.finish, "pieces." + name);
-    for (const std::string& name :
-         {plan_.facade, plan_.roof, plan_.ground_finish, plan_.outside_trim})
-      finish(name, "outside");
-  }
-
- private:
-  void checkRooms() const {
-    std::set<std::string> names;
-    for (const PlanRoom& r : plan_.rooms) {
-      if (!names.insert(r.name).second) fail("two rooms are called \"" + r.name + "\"");
-      for (const std::string& name : {r.floor, r.walls, r.ceiling, r.trim})
-        finish(name, "room " + r.name);
-    }
-    if (plan_.rooms.empty()) fail("has no rooms");
-  }
-
-  void checkOpenings() const {
-    for (std::size_t i = 0; i < plan_.openings.size(); ++i)
-      for (const std::string& name : plan_.openings[i].between)
-        room(name, fmt::format("openings[{}]", i));
-  }
-
-  void checkFittings() const {
-    for (std::size_t i = 0; i < plan_.fittings.size(); ++i) {
-      const PlanFitting& f = plan_.fittings[i];
-      const std::string place = fmt::format("fittings[{}]", i);
-      room(f.room, place);
-      for (const std::string& name : {f.piece, f.on})
-        if (!name.empty() && !plan_.pieces.contains(name))
-          fail(place + ": there is no piece \"" + name + "\"");
-      if (!f.on.empty() && !plan_.pieces.at(f.on).parts[0].numbers.contains("height"))
-        fail(place + ": nothing can stand on \"" + f.on + "\", which has no height");
-    }
-  }
-
-  void room(const std::string& name, const std::string& place) const {
-    if (name != kOutsideName && plan_.roomIndex(name) < 0)
-      fail(place + ": there is no room \"" + name + "\"");
-  }
-
-  void finish(const std::string& name, const std::string& place) const {
-    if (!plan_.finishes.contains(name)) fail(place + ": there is no finish \"" + name + "\"");
-  }
-
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw Error(ErrorKind::kBadInput, subject_, reason);
-  }
-
-  const FloorPlan& plan_;
-  const std::string& subject_;
-};
-
 }  // namespace
-
-int FloorPlan::roomIndex(const std::string& room) const {
-  for (std::size_t i = 0; i < rooms.size(); ++i)
-    if (rooms[i].name == room) return static_cast<int>(i);
-  return -1;
-}
 
 FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject) {
   nlohmann::json document;
@@ -282,7 +213,7 @@ FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subjec
   if (storeys.size() != 1) json.at("storeys").fail("must hold exactly one storey");
   parseStorey(storeys[0], plan);
   parseOutside(json.at("outside"), plan);
-  NameCheck(plan, subject).run();
+  checkNames(plan, subject);
   return plan;
 }
 

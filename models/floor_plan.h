@@ -14,6 +14,9 @@ inline constexpr const char* kOutsideName = "exterior";
 
 enum class OpeningKind : std::uint8_t { kDoor, kWindow, kOpening };
 
+/// "door", "window" or "opening", as plans and portals' extras say it.
+const char* kindWord(OpeningKind kind);
+
 /// A straight wall, by its centre line.  Plan points are (x, z) [m].
 struct PlanWall {
   glm::dvec2 from{0};
@@ -79,6 +82,7 @@ struct PlanFinish {
   double size = 1;                 ///< [m] [> 0] that the picture spans
   std::uint32_t seed = 0;
   bool double_sided = false;
+  bool unlit = false;  ///< shows its colours as they are, whichever way it faces
 };
 
 /// A building of one storey, as its author describes it.
@@ -111,5 +115,9 @@ struct FloorPlan {
 /// laying out the walls: types, ranges, misspelt keys, names that stand for nothing.  Throws Error
 /// (kBadInput): "SUBJECT: rooms[2].height: must be from 2 to 20, is 0.5".
 FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject);
+
+/// Checks that every name the plan uses stands for something in it, and that no name would be
+/// mistaken for a marker's.  Throws Error (kBadInput).
+void checkNames(const FloorPlan& plan, const std::string& subject);
 
 }  // namespace enfilade

@@ -160,6 +160,21 @@ glm::dvec3 wood(const PlanFinish& f, const glm::dvec2& uv) {
   return glm::mix(colorOf(f, 0), colorOf(f, 1), 0.5 + 0.9 * ring * seam);
 }
 
+/// Figures in the second colour on glaze of the first: blossoms between bands.
+glm::dvec3 porcelain(const PlanFinish& f, const glm::dvec2& uv) {
+  const Tile t = tileAt(uv * glm::dvec2(6, 6), 6, 6);
+  const glm::dvec2 c = t.in - 0.5;
+  const double petals = 4 + std::floor(3 * hash01(f.seed, t.x, t.y));
+  const double angle = std::atan2(c.y, c.x) + 6 * hash01(f.seed + 1, t.x, t.y);
+  const double flower = glm::length(c) - 0.26 * (1 + 0.4 * std::cos(petals * angle));
+  const double stem = std::abs(c.x - 0.18 * std::sin(6.283185307179586 * t.in.y));
+  const double band = t.y % 3 == 0 ? ramp(0.02, 0.06, t.in.y) * (1 - ramp(0.1, 0.14, t.in.y)) : 0;
+  const double figure =
+      std::max({1 - ramp(0, 0.06, flower), 0.7 * (1 - ramp(0.02, 0.05, stem)), band});
+  return glm::mix(lit(colorOf(f, 0), 0.03 * fractal2(f.seed, uv * 6.0, 3, 6)), colorOf(f, 1),
+                  0.85 * figure);
+}
+
 glm::dvec3 gilt(const PlanFinish& f, const glm::dvec2& uv) {
   const double worn = fractal2(f.seed, uv * 16.0, 4, 16);
   return glm::mix(lit(colorOf(f, 0), 0.35 * worn), colorOf(f, 1), ramp(0.2, 0.6, worn));
@@ -196,6 +211,7 @@ std::vector<PatternKind> materialPatterns() {
       {"ashlar", 512, 512, ashlar},
       {"wood", 256, 256, wood},
       {"gilt", 128, 128, gilt},
+      {"porcelain", 256, 256, porcelain},
       {"grass", 512, 512, grass},
       {"leaves", 256, 256, leaves},
       {"gravel", 256, 256, gravel},

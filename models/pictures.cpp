@@ -61,69 +61,70 @@ glm::dvec3 seascape(const PlanFinish& f, const glm::dvec2& uv) {
   return brushed(color, f.seed, uv);
 }
 
+/// Lays `paint` over `under` where `distance` is below 0, with a soft edge.
+glm::dvec3 over(const glm::dvec3& under, const glm::dvec3& paint, double distance,
+                double soft = 0.01) {
+  return glm::mix(under, paint, 1 - ramp(-0.5 * soft, 0.5 * soft, distance));
+}
+
+/// Eyes, brows, nose and mouth; `p` from the middle of the face, y down.
+glm::dvec3 faceAt(glm::dvec3 color, const glm::dvec2& p) {
+  for (const double side : {-1.0, 1.0}) {
+    const double dx = p.x - side * 0.052;
+    const glm::dvec2 e = glm::dvec2(dx, p.y + 0.015) * glm::dvec2(1, 2.1);
+    color = over(color, {0.95, 0.93, 0.9}, glm::length(e) - 0.021, 0.006);
+    color = over(color, {0.12, 0.08, 0.06}, glm::length(e * glm::dvec2(1, 0.6)) - 0.011, 0.004);
+    const double brow = std::max(std::abs(p.y + 0.056 - 7 * dx * dx) - 0.004, std::abs(dx) - 0.03);
+    color = over(color, color * 0.45, brow, 0.006);
+  }
+  const double ridge = std::abs(p.x - 0.008 - 0.12 * std::max(p.y, 0.0));
+  if (p.y > -0.01 && p.y < 0.055) color *= 1 - 0.3 * (1 - ramp(0, 0.012, ridge));
+  const glm::dvec2 mouth = glm::dvec2(p.x, p.y - 0.095 + 3 * p.x * p.x) * glm::dvec2(1, 5);
+  return over(color, {0.62, 0.25, 0.22}, glm::length(mouth) - 0.039);
+}
+
 /// Head and shoulders before a dark ground.
 glm::dvec3 portrait(const PlanFinish& f, const glm::dvec2& uv) {
   const glm::dvec2 p = (uv - glm::dvec2(0.5, 0.42)) * glm::dvec2(1.0, 1.15);
   const double vignette = 1 - 0.7 * glm::length(uv - 0.5);
   glm::dvec3 color = colorOf(f, 0) * vignette * (1 + 0.3 * fractal2(f.seed, uv * 5.0, 4));
   const double shoulder = p.y - 0.26 - 0.9 * p.x * p.x + 0.04 * std::abs(p.x);
-  const glm::dvec3 cloth =
-      colorOf(f, 1) * (0.8 + 0.5 * fractal2(f.seed + 2, uv * glm::dvec2(14, 5), 4));
-  color = glm::mix(color, cloth, ramp(0, 0.02, shoulder));
-  const double collar = std::abs(shoulder - 0.015 - 0.02 * std::cos(60 * p.x));
-  if (std::abs(p.x) < 0.16)
-    color = glm::mix(color, glm::dvec3(0.93, 0.9, 0.85), 1 - ramp(0.02, 0.03, collar));
+  const double folds = fractal2(f.seed + 2, uv * glm::dvec2(14, 5), 4);
+  color = over(color, colorOf(f, 1) * (0.8 + 0.5 * folds), -shoulder, 0.02);
+  const double collar = std::abs(shoulder - 0.015 - 0.02 * std::cos(60 * p.x)) - 0.025;
+  color = over(color, {0.93, 0.9, 0.85}, std::max(collar, std::abs(p.x) - 0.16));
   const glm::dvec3 skin = glm::dvec3(0.86, 0.66, 0.53) * (1.06 - 0.9 * ramp(-0.05, 0.2, p.x));
-  const double neck = std::max(std::abs(p.x) - 0.065, std::abs(p.y - 0.2) - 0.1);
-  color = glm::mix(color, skin * 0.85, 1 - ramp(-0.008, 0.004, neck));
+  color = over(color, skin * 0.85, std::max(std::abs(p.x) - 0.065, std::abs(p.y - 0.2) - 0.1));
+  const double strands = fractal2(f.seed + 4, uv * glm::dvec2(40, 9), 3);
   const double hair = glm::length(p * glm::dvec2(1, 0.85) + glm::dvec2(0, 0.055)) - 0.185;
-  color =
-      glm::mix(color, colorOf(f, 2) * (0.8 + 0.6 * fractal2(f.seed + 4, uv * glm::dvec2(40, 9), 3)),
-               1 - ramp(-0.01, 0.012, hair));
-  const double face = glm::length(p * glm::dvec2(1.25, 0.9)) - 0.155;
-  color = glm::mix(color, skin, 1 - ramp(-0.01, 0.006, face));
-  for (const double side : {-1.0, 1.0}) {
-    const glm::dvec2 e = (p - glm::dvec2(side * 0.052, -0.015)) * glm::dvec2(1, 2.1);
-    color = glm::mix(color, glm::dvec3(0.95, 0.93, 0.9), 1 - ramp(0.018, 0.024, glm::length(e)));
-    color = glm::mix(color, glm::dvec3(0.12, 0.08, 0.06),
-                     1 - ramp(0.009, 0.013, glm::length(e * glm::dvec2(1, 0.6))));
-    color *= 1 - 0.55 *
-                     (1 - ramp(0.0, 0.012,
-                               std::abs(p.y + 0.052 +
-                                        0.6 * (p.x - side * 0.05) * (p.x - side * 0.05) * 8))) *
-                     (std::abs(p.x - side * 0.052) < 0.032);
-  }
-  const double nose =
-      std::abs(p.x - 0.008 - 0.12 * std::max(p.y, 0.0)) + (p.y < -0.01 || p.y > 0.055 ? 1 : 0);
-  color *= 1 - 0.3 * (1 - ramp(0, 0.012, nose));
-  const glm::dvec2 m = (p - glm::dvec2(0, 0.092 + 4 * p.x * p.x * 0.5)) * glm::dvec2(1, 5);
-  color = glm::mix(color, glm::dvec3(0.62, 0.25, 0.22), 1 - ramp(0.034, 0.044, glm::length(m)));
-  return brushed(color, f.seed, uv);
+  color = over(color, colorOf(f, 2) * (0.8 + 0.6 * strands), hair, 0.02);
+  color = over(color, skin, glm::length(p * glm::dvec2(1.25, 0.9)) - 0.155, 0.016);
+  return brushed(faceAt(color, p), f.seed, uv);
+}
+
+/// A round fruit lit from the upper left; `d` from its middle, in radii, within 1.
+glm::dvec3 fruitAt(double hue, const glm::dvec2& d) {
+  const glm::dvec3 skin = hue < 0.35  ? glm::dvec3(0.8, 0.2, 0.12)
+                          : hue < 0.6 ? glm::dvec3(0.95, 0.6, 0.15)
+                          : hue < 0.8 ? glm::dvec3(0.55, 0.62, 0.18)
+                                      : glm::dvec3(0.35, 0.16, 0.35);
+  const double toward = std::sqrt(1 - glm::dot(d, d));
+  const double light = std::clamp(-0.55 * d.x - 0.6 * d.y + 0.6 * toward, 0.0, 1.0);
+  return skin * (0.25 + 0.85 * light) + glm::dvec3(0.5) * std::pow(light, 24.0);
 }
 
 glm::dvec3 stillLife(const PlanFinish& f, const glm::dvec2& uv) {
-  const bool table = uv.y > 0.66 + 0.02 * std::sin(9 * uv.x);
   const double fold = fractal2(f.seed, uv * glm::dvec2(9, 3), 4);
-  glm::dvec3 color =
-      table ? colorOf(f, 2) * (0.85 + 0.5 * fold)
-            : colorOf(f, 0) * (0.8 + 0.4 * fractal2(f.seed + 1, uv * 4.0, 4) + 0.3 * (1 - uv.x));
+  const double wall = 0.8 + 0.4 * fractal2(f.seed + 1, uv * 4.0, 4) + 0.3 * (1 - uv.x);
+  const bool table = uv.y > 0.66 + 0.02 * std::sin(9 * uv.x);
+  glm::dvec3 color = table ? colorOf(f, 2) * (0.85 + 0.5 * fold) : colorOf(f, 0) * wall;
   for (std::int64_t i = 0; i < 9; ++i) {
     const double r = 0.055 + 0.05 * hash01(f.seed, i, 0);
-    const glm::dvec2 c(0.14 + 0.72 * hash01(f.seed, i, 1),
-                       0.70 - r + 0.14 * static_cast<double>(i) / 9);
-    const glm::dvec2 d = (uv - c) / r;
-    const double l = glm::length(d);
-    const double shadow =
-        glm::length((uv - c - glm::dvec2(0.5 * r, 0.9 * r)) / glm::dvec2(1.4 * r, 0.35 * r));
-    color *= 0.55 + 0.45 * ramp(0.5, 1.0, shadow);
-    if (l > 1) continue;
-    const double light = std::clamp(-0.55 * d.x - 0.6 * d.y + 0.6 * std::sqrt(1 - l * l), 0.0, 1.0);
-    const double hue = hash01(f.seed, i, 2);
-    const glm::dvec3 fruit = hue < 0.35  ? glm::dvec3(0.8, 0.2, 0.12)
-                             : hue < 0.6 ? glm::dvec3(0.95, 0.6, 0.15)
-                             : hue < 0.8 ? glm::dvec3(0.55, 0.62, 0.18)
-                                         : glm::dvec3(0.35, 0.16, 0.35);
-    color = fruit * (0.25 + 0.85 * light) + glm::dvec3(0.5) * std::pow(light, 24.0);
+    const double x = 0.14 + 0.72 * hash01(f.seed, i, 1);
+    const glm::dvec2 c(x, 0.70 - r + 0.14 * static_cast<double>(i) / 9), d = (uv - c) / r;
+    const glm::dvec2 shadow = (d - glm::dvec2(0.5, 0.9)) / glm::dvec2(1.4, 0.35);
+    color *= 0.55 + 0.45 * ramp(0.5, 1.0, glm::length(shadow));
+    if (glm::length(d) <= 1) color = fruitAt(hash01(f.seed, i, 2), d);
   }
   return brushed(color, f.seed, uv);
 }

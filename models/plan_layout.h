@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "models/floor_plan.h"
+#include "models/plan_areas.h"
 
 namespace enfilade {
-
-inline constexpr int kOutside = -1;  ///< stands for the exterior where a room's index is asked
 
 /// What an opening is to one of the two areas that it joins.  "First" and "second" go along that
 /// area's wall, the area on the left.
@@ -53,9 +52,14 @@ struct Outline {
 
 /// Where the walls' faces run, once their thickness is known.
 struct Layout {
-  std::vector<Outline> rooms;  ///< as FloorPlan::rooms
-  Outline outside;             ///< negative area: the exterior lies on its left
-  std::vector<LayoutOpening> openings;
+  std::vector<Outline> rooms;           ///< as FloorPlan::rooms
+  Outline outside;                      ///< negative area: the exterior lies on its left
+  std::vector<LayoutOpening> openings;  ///< as FloorPlan::openings
+
+  Outline& outlineOf(int area) {
+    return area == kOutside ? outside : rooms[static_cast<std::size_t>(area)];
+  }
+  const Outline& outlineOf(int area) const { return const_cast<Layout*>(this)->outlineOf(area); }
 };
 
 /// Lays the plan out: splits the walls where they meet, finds the areas they enclose, moves the

@@ -26,6 +26,7 @@ struct PlanarFaces {
   std::vector<glm::dvec2> polygon(std::size_t face) const;
   glm::dvec2 start(std::size_t half) const { return junctions[halves[half].from]; }
   glm::dvec2 end(std::size_t half) const { return junctions[halves[half].to]; }
+  glm::dvec2 direction(std::size_t half) const { return glm::normalize(end(half) - start(half)); }
 };
 
 /// Splits the walls at every crossing and junction and traces the faces.  Exactly one face, the

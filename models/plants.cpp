@@ -86,13 +86,14 @@ Shape makeHedge(const ShapeNumbers& n) {
   const auto seed = static_cast<std::uint32_t>(n.at("seed"));
   Surface hedge;
   hedge.pole_low = hedge.pole_high = true;
-  hedge.aspect = 2.5;
-  hedge.repeats = {8, 2};
+  hedge.aspect = 0.6;
+  hedge.repeats = {3, x / h};
   hedge.at = [=](double u, double v) {
-    const glm::dvec3 d = onSphere(u, v);
-    const double norm = std::pow(
-        std::pow(std::abs(d.x), 8.0) + std::pow(std::abs(d.y), 8.0) + std::pow(std::abs(d.z), 8.0),
-        1.0 / 8);
+    // The poles lie at the two ends, where they show least.
+    const glm::dvec3 sphere = onSphere(u, v), d(sphere.y, sphere.z, sphere.x);
+    const double norm = std::pow(std::pow(std::abs(d.x), 14.0) + std::pow(std::abs(d.y), 14.0) +
+                                     std::pow(std::abs(d.z), 14.0),
+                                 1.0 / 14);
     const glm::dvec3 box = d / norm;
     const glm::dvec3 at(x * box.x, 0.5 * h * (1 + box.y), z * box.z);
     const double bump = fractal3(seed, at * 4.0, 4);

@@ -83,18 +83,20 @@ std::uint32_t raiseOutside(BuildingRaiser& raiser) {
   const OutlineBreaks breaks = outlineBreaks(layout.outside, layout, false);
   const double roof_level = plan.floor + plan.height, top = roof_level + kParapet;
   const double size = raiser.finish(plan.facade).size;
-  MeshBuilder facade, trim, thresholds, roof, ground;
+  MeshBuilder facade, reveals, coping, trim, roof, ground;
   raiseWalls(plan, layout.outside, layout, breaks,
              {plan.floor, plan.ground - kBelowGround, top, size, size}, facade);
   raiseRoof(layout.outside, breaks, top, roof_level, kParapetWidth, raiser.finish(plan.roof).size,
-            trim, roof);
-  raiseReveals(plan, layout.outside, layout, kTrimSize, kTrimSize, trim, trim);
+            coping, roof);
+  raiseReveals(plan, layout.outside, layout, kTrimSize, kTrimSize, reveals, reveals);
   raiseArchitraves(plan, layout.outside, layout, trim);
   raiseTrim(plan, layout.outside, layout, facadeCorniceProfile(top - 0.12), TrimGaps::kNowhere,
             trim);
   raiseGround(layout.outside, plan.ground, plan.margin, raiser.finish(plan.ground_finish).size,
               ground);
   raiser.addMesh("facade", node, plan.facade, facade);
+  raiser.addMesh("facade-reveals", node, plan.outside_trim, reveals);
+  raiser.addMesh("coping", node, plan.outside_trim, coping);
   raiser.addMesh("facade-trim", node, plan.outside_trim, trim);
   raiser.addMesh("roof", node, plan.roof, roof);
   raiser.addMesh("ground", node, plan.ground_finish, ground);

@@ -115,9 +115,7 @@ class FittingSetter {
   glm::dmat4 hung(std::size_t i, double base) const {
     const PlanFitting& f = raiser_.plan().fittings[i];
     const int room = raiser_.plan().roomIndex(f.room);
-    const Outline& outline = room == kOutside
-                                 ? raiser_.layout().outside
-                                 : raiser_.layout().rooms[static_cast<std::size_t>(room)];
+    const Outline& outline = raiser_.layout().outlineOf(room);
     const LayoutEdge* nearest = nullptr;
     double least = 1e300;
     for (const LayoutEdge& edge : outline.edges) {

@@ -59,10 +59,6 @@ class Lattice {
   MeshBuilder& mesh_;
 };
 
-const char* kindWord(OpeningKind kind) {
-  return kind == OpeningKind::kDoor ? "door" : kind == OpeningKind::kWindow ? "window" : "opening";
-}
-
 void addMarker(BuildingRaiser& raiser, const std::string& name, std::uint32_t parent,
                MeshBuilder& mesh, const std::string& extras) {
   const std::uint32_t index = mesh.addTo(raiser.building(), name, raiser.markerMaterial());

@@ -90,7 +90,7 @@ Shape makeKnot(const ShapeNumbers& n) {
   };
   Surface tube;
   tube.closed_v = true;
-  tube.aspect = 0.12;
+  tube.aspect = 0.18;
   tube.repeats = {1, 8};
   tube.at = [=](double u, double v) {
     const glm::dvec3 c = center(v), tangent = glm::normalize(center(v + 1e-4) - center(v - 1e-4));
@@ -107,34 +107,36 @@ Shape makeKnot(const ShapeNumbers& n) {
   return {{tube}, {}};
 }
 
-/// A sea shell: a tube that grows while it winds down a cone.
-Shape makeShell(const ShapeNumbers& n) {
+/// An ammonite on edge: a ribbed tube that winds outward in a plane and grows as it goes.
+Shape makeAmmonite(const ShapeNumbers& n) {
   const double h = n.at("height"), turns = n.at("turns"), ribs = n.at("ribs");
+  const double grow = std::log(n.at("growth"));
+  // Sizes at the mouth, for an ammonite that is `h` high; the mouth lies a little above the middle.
+  const double mouth_angle = 0.35, down = kTau * 0.25 + mouth_angle;
+  const double bottom = std::exp(-grow * down / kTau), top = std::exp(-grow * (1 - 0.25 + 0.0557));
+  const double tube = 0.42, size = h / ((1 + tube) * (bottom + top));
   Surface shell;
-  shell.closed_u = true;
   shell.pole_low = shell.pole_high = true;
-  shell.aspect = 0.35;
-  shell.repeats = {1, 6};
+  shell.aspect = 0.12;
+  shell.repeats = {1, 12};
   shell.at = [=](double u, double v) {
-    const double grow = std::pow(v, 1.25), wind = turns * kTau * v;
-    const double rib = 1 + 0.07 * std::cos(ribs * wind) * ramp(0, 0.15, v);
-    const double mouth = std::max(0.0, (v - 0.97) / 0.03);  // the mouth is closed by a cap
-    const double tube = 0.27 * h * grow * rib * std::sqrt(1 - mouth * mouth),
-                 ring = 0.23 * h * grow;
-    const double out = ring + tube * std::cos(kTau * u), up = tube * std::sin(kTau * u);
-    const double axis = h * (1 - 0.73 * std::pow(v, 1.1)) + up;
-    return SurfacePoint{{out * std::cos(wind), axis, out * std::sin(wind)},
-                        std::clamp(0.6 + 3 * (rib - 0.95) + 0.2 * std::cos(kTau * u), 0.4, 1.0)};
+    const double back = turns * (1 - std::pow(v, 0.7)), scale = size * std::exp(-grow * back);
+    const double angle = mouth_angle - kTau * back;
+    const double rib = std::cos(ribs * angle), cap = std::clamp((v - 0.985) / 0.015, 0.0, 1.0);
+    const double thick =
+        tube * scale * (1 + 0.07 * rib) * std::sqrt(1 - cap * cap) * std::min(1.0, 60 * v);
+    const double out = scale + thick * std::cos(kTau * u);
+    return SurfacePoint{{out * std::cos(angle), size * (1 + tube) * bottom + out * std::sin(angle),
+                         -0.85 * thick * std::sin(kTau * u)},
+                        std::clamp(0.78 + 0.2 * rib + 0.15 * std::cos(kTau * u), 0.4, 1.0)};
   };
   return {{shell}, {}};
 }
 
 }  // namespace
 
-std::vector<ShapeKind> bustKinds();
-
 std::vector<ShapeKind> sculptureKinds() {
-  std::vector<ShapeKind> kinds{
+  return {
       {"superquadric",
        3000,
        {{"radius", 0.35, 0.02, 5},
@@ -162,13 +164,11 @@ std::vector<ShapeKind> sculptureKinds() {
         {"q", 3, 1, 9},
         {"ribs", 36, 0, 400}},
        makeKnot},
-      {"shell",
+      {"ammonite",
        5000,
-       {{"height", 0.8, 0.05, 5}, {"turns", 4, 1, 9}, {"ribs", 5, 0, 40}},
-       makeShell},
+       {{"height", 0.8, 0.05, 5}, {"turns", 4, 1, 9}, {"ribs", 22, 0, 80}, {"growth", 2, 1.2, 5}},
+       makeAmmonite},
   };
-  for (const ShapeKind& kind : bustKinds()) kinds.push_back(kind);
-  return kinds;
 }
 
 }  // namespace enfilade

@@ -6,7 +6,8 @@ namespace {
 const std::vector<ShapeKind>& allKinds() {
   static const std::vector<ShapeKind> kinds = [] {
     std::vector<ShapeKind> all;
-    for (const auto& some : {sculptureKinds(), turneryKinds(), furnitureKinds(), plantKinds()})
+    for (const auto& some : {sculptureKinds(), bustKinds(), turneryKinds(), masonryKinds(),
+                             furnitureKinds(), hangingKinds(), plantKinds()})
       all.insert(all.end(), some.begin(), some.end());
     return all;
   }();

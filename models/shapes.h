@@ -36,11 +36,13 @@ struct ShapeKind {
   const ShapeParameter* find(const std::string& parameter) const;
 };
 
-/// Sculptures (sculptures.cpp), things turned on a lathe (turnery.cpp), furniture (furniture.cpp)
-/// and plants (plants.cpp).
+/// The kinds that there are, each list in the file of its name.
 std::vector<ShapeKind> sculptureKinds();
+std::vector<ShapeKind> bustKinds();
 std::vector<ShapeKind> turneryKinds();
+std::vector<ShapeKind> masonryKinds();
 std::vector<ShapeKind> furnitureKinds();
+std::vector<ShapeKind> hangingKinds();
 std::vector<ShapeKind> plantKinds();
 
 const ShapeKind* findShape(const std::string& name);  ///< nullptr if there is none

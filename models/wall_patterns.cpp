@@ -126,9 +126,9 @@ glm::dvec3 stone(const PlanFinish& f, const glm::dvec2& uv) {
 
 std::vector<PatternKind> wallPatterns() {
   return {
-      {"wall-painted", 512, 1024, painted}, {"wall-stripes", 512, 1024, stripes},
-      {"wall-damask", 512, 1024, damask},   {"wall-tiles", 512, 1024, tiles},
-      {"wall-stone", 512, 1024, stone},
+      {"wall-painted", 256, 512, painted}, {"wall-stripes", 512, 512, stripes},
+      {"wall-damask", 512, 1024, damask},  {"wall-tiles", 512, 1024, tiles},
+      {"wall-stone", 512, 512, stone},
   };
 }
 
