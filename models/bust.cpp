@@ -66,7 +66,7 @@ Shape makeBust(const ShapeNumbers& n) {
       {0.11, 0.14},   {0.20, 0.19},  {0.285, 0.29},  {0.285, 0.37}, {0.20, 0.435},
       {0.105, 0.475}, {0.088, 0.53}, {0.095, 0.575}, {0.118, 0.62}, {0.137, 0.70},
       {0.147, 0.79},  {0.146, 0.87}, {0.115, 0.95},  {0.06, 0.99},  {0, 1.0}});
-  Surface surface;
+  CurvedSurface surface;
   surface.pole_high = true;
   surface.aspect = 0.9;
   surface.repeats = {2, 2};

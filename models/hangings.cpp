@@ -68,7 +68,7 @@ Shape makeChandelier(const ShapeNumbers& n) {
   const int arms = static_cast<int>(n.at("arms"));
   Shape shape;
   const auto tube = [](double thick, double share, auto center) {
-    Surface s;
+    CurvedSurface s;
     s.aspect = 0.5;
     s.share = share;
     s.pole_low = s.pole_high = true;
@@ -85,8 +85,9 @@ Shape makeChandelier(const ShapeNumbers& n) {
   for (int i = 0; i < arms; ++i) {
     const double a = kTau * i / arms, c = std::cos(a), s = std::sin(a);
     shape.surfaces.push_back(tube(0.012, 1, [=](double v) {
-      const double out = r * v,
-                   y = -drop + 0.1 - 0.22 * std::sin(3.14 * std::pow(std::max(v, 0.0), 0.8)) + 0.12 * v;
+      const double out = r * v, y = -drop + 0.1 -
+                                    0.22 * std::sin(3.14 * std::pow(std::max(v, 0.0), 0.8)) +
+                                    0.12 * v;
       return glm::dvec3(out * c, y, out * s);
     }));
     shape.surfaces.push_back(tube(

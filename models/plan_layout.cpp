@@ -51,7 +51,7 @@ class Layouter {
     for (std::size_t h = 0; h < faces_.halves.size(); ++h) {
       const glm::dvec2 a = faces_.start(h), d = faces_.direction(h);
       const double t = glm::dot(p - a, d);
-      if (std::abs(cross(d, p - a)) < kOnWall && t > 0 && t < glm::distance(a, faces_.end(h)))
+      if (std::abs(planCross(d, p - a)) < kOnWall && t > 0 && t < glm::distance(a, faces_.end(h)))
         return h;
     }
     fail(fmt::format("{}: no wall runs through [{:.3f}, {:.3f}]", label(i), p.x, p.y));

@@ -46,12 +46,12 @@ class Tracer {
     const glm::dvec2 u = (walls_[w].to - a) / length, v = walls_[other].to - b;
     for (const glm::dvec2& end : {b, walls_[other].to}) {
       const double t = glm::dot(end - a, u);
-      if (std::abs(cross(u, end - a)) < kSnap && t > -kSnap && t < length + kSnap)
+      if (std::abs(planCross(u, end - a)) < kSnap && t > -kSnap && t < length + kSnap)
         along.push_back(t);
     }
-    const double det = cross(u, v);
+    const double det = planCross(u, v);
     if (std::abs(det) < 1e-9) return;
-    const double t = cross(b - a, v) / det, s = cross(b - a, u) / det;
+    const double t = planCross(b - a, v) / det, s = planCross(b - a, u) / det;
     if (t > 0 && t < length && s > 0 && s < 1) along.push_back(t);
   }
 

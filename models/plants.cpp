@@ -19,7 +19,7 @@ glm::dvec3 onSphere(double u, double v) {
 Shape makeCrown(const ShapeNumbers& n) {
   const double r = n.at("radius"), h = n.at("height"), rough = n.at("rough"), point = n.at("point");
   const auto seed = static_cast<std::uint32_t>(n.at("seed"));
-  Surface crown;
+  CurvedSurface crown;
   crown.pole_low = crown.pole_high = true;
   crown.aspect = 1.6;
   crown.repeats = {4, 2};
@@ -37,7 +37,7 @@ Shape makeCrown(const ShapeNumbers& n) {
 
 Shape makeTrunk(const ShapeNumbers& n) {
   const double r = n.at("radius"), h = n.at("height"), bend = n.at("bend");
-  Surface trunk;
+  CurvedSurface trunk;
   trunk.aspect = 0.8;
   trunk.repeats = {2, h / (kTau * r) * 2};
   trunk.at = [=](double u, double v) {
@@ -60,7 +60,7 @@ Shape makeFronds(const ShapeNumbers& n) {
     const double a = kTau * (i * 0.381966 + 0.03 * hash01(seed, i, 1));
     const double rise = 0.35 + 1.05 * (1 - double(i) / count) + 0.15 * hash01(seed, i, 2);
     const double l = length * (0.75 + 0.25 * hash01(seed, i, 3));
-    Surface leaf;
+    CurvedSurface leaf;
     leaf.closed_u = false;
     leaf.aspect = 0.25;
     leaf.at = [=](double u, double v) {
@@ -84,7 +84,7 @@ Shape makeFronds(const ShapeNumbers& n) {
 Shape makeHedge(const ShapeNumbers& n) {
   const double x = 0.5 * n.at("width"), h = n.at("height"), z = 0.5 * n.at("depth");
   const auto seed = static_cast<std::uint32_t>(n.at("seed"));
-  Surface hedge;
+  CurvedSurface hedge;
   hedge.pole_low = hedge.pole_high = true;
   hedge.aspect = 0.6;
   hedge.repeats = {3, x / h};

@@ -7,7 +7,7 @@ namespace enfilade {
 double signedArea(std::span<const glm::dvec2> polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    twice += planCross(polygon[i], polygon[(i + 1) % polygon.size()]);
   return 0.5 * twice;
 }
 
@@ -25,7 +25,7 @@ bool isConvex(std::span<const glm::dvec2> polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % n], c = polygon[(i + 2) % n];
-    if (cross(b - a, c - b) < -1e-9) return false;
+    if (planCross(b - a, c - b) < -1e-9) return false;
   }
   return true;
 }
@@ -34,7 +34,7 @@ glm::dvec2 movedCorner(const glm::dvec2& corner, const glm::dvec2& d1, double h1
                        const glm::dvec2& d2, double h2) {
   // Solves n1·a = h1, n2·a = h2 with n the directions turned left.
   const glm::dvec2 n1 = leftOf(d1), n2 = leftOf(d2);
-  const double det = cross(n1, n2);
+  const double det = planCross(n1, n2);
   return corner + glm::dvec2(h1 * n2.y - h2 * n1.y, n1.x * h2 - n2.x * h1) / det;
 }
 
@@ -64,11 +64,12 @@ bool isEar(std::span<const glm::dvec2> polygon, std::span<const std::size_t> res
   const std::size_t n = rest.size();
   const glm::dvec2 a = polygon[rest[(i + n - 1) % n]], b = polygon[rest[i]],
                    c = polygon[rest[(i + 1) % n]];
-  if (cross(b - a, c - b) <= 1e-12) return false;
+  if (planCross(b - a, c - b) <= 1e-12) return false;
   for (std::size_t k = 0; k < n; ++k) {
     if (k == i || k == (i + 1) % n || k == (i + n - 1) % n) continue;
     const glm::dvec2 p = polygon[rest[k]];
-    if (cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0)
+    if (planCross(b - a, p - a) >= 0 && planCross(c - b, p - b) >= 0 &&
+        planCross(a - c, p - c) >= 0)
       return false;
   }
   return true;

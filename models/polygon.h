@@ -11,7 +11,7 @@ namespace enfilade {
 /// Plan geometry, points (x, z) in metres.  A polygon's inside lies to the left of its edges, where
 /// left of (1, 0) is (0, 1); its area is then positive.
 
-inline double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+inline double planCross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 inline glm::dvec2 leftOf(const glm::dvec2& direction) { return {-direction.y, direction.x}; }
 
 double signedArea(std::span<const glm::dvec2> polygon);

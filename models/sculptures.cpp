@@ -17,8 +17,8 @@ glm::dvec3 onSphere(double u, double v) {
   return {std::cos(phi) * std::cos(theta), std::sin(phi), -std::cos(phi) * std::sin(theta)};
 }
 
-Surface sphereLike(const std::function<SurfacePoint(const glm::dvec3&)>& at) {
-  Surface surface;
+CurvedSurface sphereLike(const std::function<SurfacePoint(const glm::dvec3&)>& at) {
+  CurvedSurface surface;
   surface.pole_low = surface.pole_high = true;
   surface.aspect = 1.8;
   surface.repeats = {2, 1};
@@ -34,7 +34,7 @@ double powered(double x, double exponent) {
 Shape makeSuperquadric(const ShapeNumbers& n) {
   const double r = n.at("radius"), east = n.at("east"), north = n.at("north"),
                twist = n.at("twist"), tall = n.at("tall");
-  Surface surface;
+  CurvedSurface surface;
   surface.pole_low = surface.pole_high = true;
   surface.aspect = 1.6;
   surface.repeats = {2, 1};
@@ -88,7 +88,7 @@ Shape makeKnot(const ShapeNumbers& n) {
     return r * glm::dvec3(ring * std::cos(p * kTau * t), 0.36 * std::sin(q * kTau * t),
                           ring * std::sin(p * kTau * t));
   };
-  Surface tube;
+  CurvedSurface tube;
   tube.closed_v = true;
   tube.aspect = 0.18;
   tube.repeats = {1, 8};
@@ -115,7 +115,7 @@ Shape makeAmmonite(const ShapeNumbers& n) {
   const double mouth_angle = 0.35, down = kTau * 0.25 + mouth_angle;
   const double bottom = std::exp(-grow * down / kTau), top = std::exp(-grow * (1 - 0.25 + 0.0557));
   const double tube = 0.42, size = h / ((1 + tube) * (bottom + top));
-  Surface shell;
+  CurvedSurface shell;
   shell.pole_low = shell.pole_high = true;
   shell.aspect = 0.12;
   shell.repeats = {1, 12};

@@ -16,7 +16,7 @@ const std::vector<ShapeKind>& allKinds() {
 
 double shareSum(const Shape& shape) {
   double sum = 0;
-  for (const Surface& surface : shape.surfaces) sum += surface.share;
+  for (const CurvedSurface& surface : shape.surfaces) sum += surface.share;
   return sum;
 }
 
@@ -43,7 +43,7 @@ std::vector<std::string> shapeNames() {
 std::size_t countTriangles(const Shape& shape, double triangles) {
   std::size_t count = 0;
   const double each = triangles / shareSum(shape);
-  for (const Surface& surface : shape.surfaces)
+  for (const CurvedSurface& surface : shape.surfaces)
     count += triangleCount(surface, gridFor(surface, each * surface.share));
   if (shape.flat) {
     MeshBuilder flat;
@@ -55,7 +55,7 @@ std::size_t countTriangles(const Shape& shape, double triangles) {
 
 void raiseShape(const Shape& shape, double triangles, MeshBuilder& mesh) {
   const double each = triangles / shareSum(shape);
-  for (const Surface& surface : shape.surfaces)
+  for (const CurvedSurface& surface : shape.surfaces)
     raiseSurface(surface, gridFor(surface, each * surface.share), mesh);
   if (shape.flat) shape.flat(mesh);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "models/surface.h"
+#include "models/curved_surface.h"
 
 namespace enfilade {
 
@@ -22,7 +22,7 @@ using ShapeNumbers = std::map<std::string, double>;  ///< one for each of the sh
 /// A shape, ready to be raised: curved surfaces whose triangles can be chosen, and flat parts whose
 /// triangles are what they are.  Stands on y = 0 and looks to +z.
 struct Shape {
-  std::vector<Surface> surfaces;
+  std::vector<CurvedSurface> surfaces;
   std::function<void(MeshBuilder&)> flat;  ///< may be empty
 };
 

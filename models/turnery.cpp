@@ -21,9 +21,9 @@ glm::dvec3 aroundAxis(double radius, double y, double angle) {
 
 /// A profile (radius, height), from low to high on the outside, turned around the y axis.
 /// `carve` scales the radius; where it carves deep, shade gathers.
-Surface turned(std::vector<glm::dvec2> points, const Carving& carve, double aspect) {
+CurvedSurface turned(std::vector<glm::dvec2> points, const Carving& carve, double aspect) {
   const auto curve = std::make_shared<ProfileCurve>(points);
-  Surface surface;
+  CurvedSurface surface;
   surface.pole_low = points.front().x == 0;
   surface.pole_high = points.back().x == 0;
   surface.aspect = aspect;
@@ -81,7 +81,7 @@ Shape makeTwistedColumn(const ShapeNumbers& n) {
       {1.35 * r, 0.965 * h}, {1.5 * r, 0.972 * h}, {1.5 * r, 0.972 * h},
       {1.5 * r, h},          {1.5 * r, h},         {0, h}};
   const auto curve = std::make_shared<ProfileCurve>(profile);
-  Surface shaft;
+  CurvedSurface shaft;
   shaft.pole_high = true;
   shaft.aspect = 0.55;
   shaft.repeats = {2, 2 * h / (kTau * r)};
@@ -111,7 +111,7 @@ Shape makeDrum(const ShapeNumbers& n) {
     const double window = ramp(0.28, 0.32, v) * (1 - ramp(0.6, 0.64, v));
     return 1 - 0.06 * window * std::abs(std::sin(0.5 * flutes * angle));
   };
-  Surface drum = turned(profile, carve, 1.6);
+  CurvedSurface drum = turned(profile, carve, 1.6);
   const auto bare = drum.at;
   drum.at = [bare, h](double u, double v) {
     SurfacePoint p = bare(u, v);

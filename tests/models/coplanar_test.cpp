@@ -6,7 +6,6 @@
 #include <map>
 #include <vector>
 
-#include "models/samples.h"
 #include "tests/models/test_geometry.h"
 
 namespace enfilade {
@@ -67,7 +66,7 @@ std::map<std::array<long, 4>, std::vector<PlaneTriangle>> byPlane(
 }
 
 TEST(Gallery, HasNoTwoFacesInOnePlaneThatOverlap) {
-  const Building building = raiseSample("gallery", 50'000);
+  const Building building = unpaintedGallery(50'000);
   const auto planes = byPlane(
       worldTriangles(building, [&](const Object& object) { return !isMarker(building, object); }));
   int found = 0;

@@ -7,14 +7,13 @@
 #include <string>
 #include <tuple>
 
-#include "models/samples.h"
 #include "tests/models/test_geometry.h"
 
 namespace enfilade {
 namespace {
 
 const Building& gallery() {
-  static const Building building = raiseSample("gallery", 50'000);
+  static const Building building = unpaintedGallery(50'000);
   return building;
 }
 

@@ -4,7 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "models/embedded_plans.h"
+#include "models/floor_plan.h"
+#include "models/raise_building.h"
+
 namespace enfilade {
+
+Building unpaintedGallery(std::uint64_t triangles) {
+  FloorPlan plan = parseFloorPlan(embeddedPlans()[0].text, "gallery");
+  EXPECT_EQ(plan.name, "gallery");
+  for (auto& [name, finish] : plan.finishes) finish.pattern = "plain";
+  return raiseBuilding(plan, triangles, "gallery");
+}
 
 bool isMarker(const Building& building, const Object& object) {
   const std::string& name = building.nodes[object.node].name;

@@ -8,6 +8,9 @@
 
 namespace enfilade {
 
+/// The gallery with plain colours in place of pictures, which take most of the time.
+Building unpaintedGallery(std::uint64_t triangles);
+
 /// A triangle in the world, as stored (single precision), and whose it is.
 struct WorldTriangle {
   glm::vec3 a, b, c;

@@ -14,7 +14,7 @@ struct SurfacePoint {
 };
 
 /// A curved surface over u, v in 0…1, seen from where +u turns counter-clockwise to +v.
-struct Surface {
+struct CurvedSurface {
   std::function<SurfacePoint(double u, double v)> at;
   bool closed_u = true;  ///< u = 0 and u = 1 are one line
   bool closed_v = false;
@@ -32,11 +32,11 @@ struct SurfaceGrid {
 };
 
 /// The grid that comes nearest to `triangles`, at least 6 × 3.
-SurfaceGrid gridFor(const Surface& surface, double triangles);
+SurfaceGrid gridFor(const CurvedSurface& surface, double triangles);
 
-std::size_t triangleCount(const Surface& surface, const SurfaceGrid& grid);
+std::size_t triangleCount(const CurvedSurface& surface, const SurfaceGrid& grid);
 
 /// Adds exactly triangleCount triangles with smooth normals.
-void raiseSurface(const Surface& surface, const SurfaceGrid& grid, MeshBuilder& mesh);
+void raiseSurface(const CurvedSurface& surface, const SurfaceGrid& grid, MeshBuilder& mesh);
 
 }  // namespace enfilade

@@ -1,4 +1,4 @@
-#include "models/surface.h"
+#include "models/curved_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@ namespace {
 /// The points and normals of a grid; seams and poles share theirs.
 class GridPoints {
  public:
-  GridPoints(const Surface& surface, const SurfaceGrid& grid) : surface_(surface), grid_(grid) {
+  GridPoints(const CurvedSurface& surface, const SurfaceGrid& grid)
+      : surface_(surface), grid_(grid) {
     points_.resize(std::size_t{grid.u + 1} * (grid.v + 1));
     normals_.assign(points_.size(), glm::dvec3(0));
     for (std::uint32_t j = 0; j <= grid.v; ++j)
@@ -45,7 +46,7 @@ class GridPoints {
       normals_[corner] += n;
   }
 
-  const Surface& surface_;
+  const CurvedSurface& surface_;
   SurfaceGrid grid_;
   std::vector<SurfacePoint> points_;
   std::vector<glm::dvec3> normals_;
@@ -53,7 +54,7 @@ class GridPoints {
 
 }  // namespace
 
-SurfaceGrid gridFor(const Surface& surface, double triangles) {
+SurfaceGrid gridFor(const CurvedSurface& surface, double triangles) {
   const double quads = 0.5 * triangles;
   SurfaceGrid grid;
   grid.u = static_cast<std::uint32_t>(
@@ -63,12 +64,12 @@ SurfaceGrid gridFor(const Surface& surface, double triangles) {
   return grid;
 }
 
-std::size_t triangleCount(const Surface& surface, const SurfaceGrid& grid) {
+std::size_t triangleCount(const CurvedSurface& surface, const SurfaceGrid& grid) {
   const std::size_t poles = (surface.pole_low ? 1u : 0u) + (surface.pole_high ? 1u : 0u);
   return std::size_t{2} * grid.u * grid.v - poles * grid.u;
 }
 
-void raiseSurface(const Surface& surface, const SurfaceGrid& grid, MeshBuilder& mesh) {
+void raiseSurface(const CurvedSurface& surface, const SurfaceGrid& grid, MeshBuilder& mesh) {
   const GridPoints points(surface, grid);
   std::vector<std::uint32_t> below, row(grid.u + 1);
   for (std::uint32_t j = 0; j <= grid.v; ++j) {
