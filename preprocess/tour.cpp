@@ -21,6 +21,7 @@ constexpr float kMostColumns = 6'000'000;  // more, and the columns get wider
 constexpr float kHeadRoomOverEye = 0.2f;   // [m]
 constexpr float kLeastDistance = 0.12f;    // [m] of an eye from anything solid
 constexpr float kGroundAround = 2.5f;      // [m] around the building
+constexpr float kLandscape = 8.0f;         // [m] around the rooms
 constexpr float kBeforeDoor = 1.0f;        // [m] where ground is looked for
 constexpr float kDeepestGround = 1.5f;     // [m] below or above a doorstep
 constexpr float kLeastDoorHeight = 1.5f;   // [m]
@@ -81,13 +82,26 @@ std::ptrdiff_t roomsReached(const House& house, const WalkGrid& grid) {
                        [](SpotId target) { return target != kNoSpot; });
 }
 
+// The building and some ground around it, but no more of a landscape than lies about the rooms.
+Box walkBounds(const House& house) {
+  const Box all = worldBounds(house.building).grown(kGroundAround);
+  Box rooms;
+  for (std::size_t c = kExterior + 1; c < house.graph.cells.size(); ++c) {
+    rooms.extend(house.graph.cells[c].bounds);
+  }
+  if (rooms.empty()) return all;
+  rooms = rooms.grown(kLandscape);
+  return {glm::max(all.min, rooms.min), glm::min(all.max, rooms.max)};
+}
+
 // Many a model of a building stands on nothing. Then the walk outside is on earth that we add:
 // before doors always, before other openings if it leads to more rooms.
 WalkGrid makeGrid(const House& house, const TourParameters& parameters,
                   std::vector<std::string>& notes) {
-  const glm::vec3 size = worldBounds(house.building).size() + 2.0f * kGroundAround;
-  const float pitch = std::max(kFinestPitch, std::sqrt(size.x * size.z / kMostColumns));
-  const WalkColumns columns = rasteriseColumns(house, pitch, kGroundAround);
+  const Box bounds = walkBounds(house);
+  const float area = bounds.size().x * bounds.size().z;
+  const float pitch = std::max(kFinestPitch, std::sqrt(area / kMostColumns));
+  const WalkColumns columns = rasteriseColumns(house, pitch, bounds);
   const WalkLimits limits = limitsOf(house, parameters);
   float ground = missingGround(house, columns, PortalKind::kDoor);
   const bool door = !std::isnan(ground);

@@ -44,8 +44,8 @@ class BrushFire {
 
   void light(SpotId s) {
     for (int d = 0; d < 8; ++d) {
-      const glm::ivec2 there = grid_.columnOf(s) + glm::ivec2(kDirections[d][0], kDirections[d][1]);
-      if (grid_.mutualSpot(s, there) == kNoSpot) offer(s, there);
+      if (grid_.neighbour(s, d) != kNoSpot) continue;
+      offer(s, grid_.columnOf(s) + glm::ivec2(kDirections[d][0], kDirections[d][1]));
     }
   }
 

@@ -71,14 +71,16 @@ class Rasteriser {
     std::copy(t.begin(), t.end(), whole.corners.begin());
     whole.count = 3;
     const auto [x0, x1] = range(whole, 0);
-    for (int x = x0; x <= x1; ++x) addStrip(slab(whole, 0, x, x0 == x1), x, steep);
+    for (int x = std::max(x0, 0); x <= std::min(x1, columns_.size.x - 1); ++x) {
+      addStrip(slab(whole, 0, x, x0 == x1), x, steep);
+    }
   }
 
  private:
   void addStrip(const ClippedPolygon& strip, int x, bool steep) {
     if (strip.count == 0) return;
     const auto [z0, z1] = range(strip, 2);
-    for (int z = z0; z <= z1; ++z) {
+    for (int z = std::max(z0, 0); z <= std::min(z1, columns_.size.y - 1); ++z) {
       const ClippedPolygon part = slab(strip, 2, z, z0 == z1);
       if (part.count == 0) continue;
       SolidSpan span{part.corners[0].y, part.corners[0].y, steep};
@@ -100,6 +102,7 @@ class Rasteriser {
                 -1.0f);
   }
 
+  // The first and the last column that the polygon touches; they may lie outside the grid.
   std::pair<int, int> range(const ClippedPolygon& polygon, int axis) const {
     float least = polygon.corners[0][axis];
     float most = least;
@@ -109,7 +112,7 @@ class Rasteriser {
     }
     const auto column = [&](float v) {
       const float at = (v - columns_.origin[axis / 2]) / columns_.pitch;
-      return std::clamp(static_cast<int>(std::floor(at)), 0, columns_.size[axis / 2] - 1);
+      return static_cast<int>(std::floor(at));
     };
     return {column(least - kTouch), column(most + kTouch)};
   }
@@ -137,8 +140,7 @@ void forEachObstacle(const House& house, const std::function<void(const WorldTri
   }
 }
 
-WalkColumns rasteriseColumns(const House& house, float pitch, float margin) {
-  const Box bounds = worldBounds(house.building).grown(margin);
+WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds) {
   WalkColumns columns;
   if (bounds.empty()) return columns;
   columns.pitch = pitch;

@@ -40,9 +40,9 @@ struct WalkColumns {
   }
 };
 
-/// Clips every obstacle triangle to the columns that it touches.  `margin` [m] of empty columns on
-/// every side. Slopes of more than 50 degrees, walls aside, are too steep.
-/// Source: the solid heightfield of Mononen's Recast (rcRasterizeTriangles).
-WalkColumns rasteriseColumns(const House& house, float pitch, float margin);
+/// Clips every obstacle triangle to the columns that it touches, over the ground of `bounds`.
+/// Slopes of more than 50 degrees, walls aside, are too steep. Source: the solid heightfield of
+/// Mononen's Recast (rcRasterizeTriangles).
+WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds);
 
 }  // namespace enfilade

@@ -138,6 +138,23 @@ void flatten(const ColumnSpots& spots, WalkGrid& grid) {
   }
 }
 
+// Steps are mutual: where there are several spots to choose from, both must choose each other.
+void link(WalkGrid& grid) {
+  grid.links.resize(grid.spotCount());
+  const auto step = [&](SpotId s, std::size_t d) {
+    const glm::ivec2 there =
+        grid.columnOf(s) + glm::ivec2(kDirections[2 * d][0], kDirections[2 * d][1]);
+    return grid.spotInColumn(s, there, grid.limits.step_height);
+  };
+  for (SpotId s = 0; s < grid.spotCount(); ++s) {
+    for (std::size_t d = 0; d < 4; ++d) {
+      const SpotId there = step(s, d);
+      const bool mutual = there != kNoSpot && step(there, (d + 2) % 4) == s;
+      grid.links[s][d] = mutual ? there : kNoSpot;
+    }
+  }
+}
+
 void labelCells(const House& house, WalkGrid& grid) {
   grid.cell_count = house.graph.cells.size();
   grid.joined.assign(grid.cell_count * grid.cell_count, 0);
@@ -191,28 +208,16 @@ SpotId WalkGrid::spotInColumn(SpotId spot, const glm::ivec2& target, float step)
   return best;
 }
 
-SpotId WalkGrid::mutualSpot(SpotId spot, const glm::ivec2& target) const noexcept {
-  const SpotId there = spotInColumn(spot, target, limits.step_height);
-  if (there == kNoSpot) return kNoSpot;
-  const bool alone = first[column[spot] + 1] - first[column[spot]] == 1;
-  if (alone || spotInColumn(there, columnOf(spot), limits.step_height) == spot) return there;
-  return kNoSpot;
-}
-
 SpotId WalkGrid::neighbour(SpotId spot, int direction) const noexcept {
-  const glm::ivec2 here = columnOf(spot);
-  const auto columnAlong = [&](int d) {
-    return here + glm::ivec2(kDirections[d & 7][0], kDirections[d & 7][1]);
+  const auto straight = [&](SpotId from, int d) {
+    return from == kNoSpot ? kNoSpot : links[from][static_cast<std::size_t>((d & 7) / 2)];
   };
-  const glm::ivec2 target = columnAlong(direction);
-  const SpotId there = mutualSpot(spot, target);
-  if (there == kNoSpot) return kNoSpot;
+  SpotId there = straight(spot, direction);
   if ((direction & 1) != 0) {
-    for (const int side : {direction - 1, direction + 1}) {
-      const SpotId corner = mutualSpot(spot, columnAlong(side));
-      if (corner == kNoSpot || mutualSpot(corner, target) != there) return kNoSpot;
-    }
+    there = straight(straight(spot, direction - 1), direction + 1);
+    if (there != straight(straight(spot, direction + 1), direction - 1)) return kNoSpot;
   }
+  if (there == kNoSpot || std::abs(floor[there] - floor[spot]) > limits.step_height) return kNoSpot;
   if (!cell.empty() && !mayPass(cell[spot], cell[there])) return kNoSpot;
   return there;
 }
@@ -228,6 +233,7 @@ WalkGrid buildWalkGrid(const House& house, const WalkColumns& columns, const Wal
   if (!std::isnan(ground)) addGround(house, columns, limits, ground, spots);
   GapBridge(columns, limits, spots).run();
   flatten(spots, grid);
+  link(grid);
   measureClearance(grid);
   labelCells(house, grid);
   return grid;

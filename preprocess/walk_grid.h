@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -34,7 +35,8 @@ struct WalkGrid {
   std::vector<float> floor;           ///< of each spot [m]
   std::vector<float> ceiling;         ///< of each spot [m]; infinite under the sky
   std::vector<float> clearance;  ///< of each spot [m]: to the nearest place where none can stand
-  std::vector<CellId> cell;      ///< of each spot: where its eye is; kNoCell where too narrow
+  std::vector<std::array<SpotId, 4>> links;  ///< of each spot: one step along +x, +z, −x, −z
+  std::vector<CellId> cell;  ///< of each spot: where its eye is; kNoCell where too narrow
 
   std::vector<std::uint8_t> joined;  ///< cells × cells: 1 where an open portal joins them
   std::size_t cell_count = 0;
@@ -52,9 +54,6 @@ struct WalkGrid {
 
   /// The spot in `column` that one step of at most `step` joins to `spot`, whatever the cells.
   SpotId spotInColumn(SpotId spot, const glm::ivec2& target, float step) const noexcept;
-
-  /// The same with the walker's own step, and only if the step back leads to `spot` again.
-  SpotId mutualSpot(SpotId spot, const glm::ivec2& target) const noexcept;
 
   bool mayPass(CellId a, CellId b) const noexcept {
     return a == b || a == kNoCell || b == kNoCell || joined[a * cell_count + b] != 0;

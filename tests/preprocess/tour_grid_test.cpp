@@ -18,9 +18,11 @@ using testing::twoRooms;
 
 constexpr float kPitch = 0.05f;
 
-WalkGrid gridOf(const House& house) {
-  return buildWalkGrid(house, rasteriseColumns(house, kPitch, kPitch), {});
+WalkColumns columnsOf(const House& house, float pitch) {
+  return rasteriseColumns(house, pitch, worldBounds(house.building).grown(pitch));
 }
+
+WalkGrid gridOf(const House& house) { return buildWalkGrid(house, columnsOf(house, kPitch), {}); }
 
 SpotId spotAt(const WalkGrid& grid, const glm::vec2& p, float floor) {
   for (SpotId s = 0; s < grid.spotCount(); ++s) {
@@ -54,7 +56,7 @@ double gapAround(const House& house, const WalkGrid& grid, SpotId s) {
 TEST(WalkColumns, HoldExactHeights) {
   HouseBuilder b;
   b.solid({0, 0.123f, 0}, {1, 0.456f, 1});
-  const WalkColumns columns = rasteriseColumns(b.build(), kPitch, kPitch);
+  const WalkColumns columns = columnsOf(b.build(), kPitch);
   const glm::ivec2 c = glm::ivec2(glm::floor((glm::vec2(0.5f) - columns.origin) / kPitch));
   const std::vector<SolidSpan>& spans = columns.spans[columns.index(c)];
   ASSERT_EQ(spans.size(), 2u);  // the two faces: a solid is a shell
@@ -74,7 +76,7 @@ TEST(WalkColumns, TouchEveryColumnThatATriangleTouches) {
     triangles.push_back(t);
     b.triangle(t[0], t[1], t[2]);
   }
-  const WalkColumns columns = rasteriseColumns(b.build(), 0.1f, 0.1f);
+  const WalkColumns columns = columnsOf(b.build(), 0.1f);
   std::uniform_real_distribution<float> share(0, 1);
   for (int i = 0; i < 20000; ++i) {
     const WorldTriangle& t = triangles[static_cast<std::size_t>(i) % triangles.size()];
