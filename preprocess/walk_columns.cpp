@@ -135,7 +135,8 @@ void forEachObstacle(const House& house, const std::function<void(const WorldTri
       for (std::size_t k = 0; k < 3; ++k) {
         t[k] = glm::vec3(world_from_object * glm::vec4(positions[mesh.indices[i + k]], 1.0f));
       }
-      visit(t);
+      const glm::vec3 sum = t[0] + t[1] + t[2];
+      if (std::isfinite(sum.x + sum.y + sum.z)) visit(t);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace enfilade {
 using WorldTriangle = std::array<glm::vec3, 3>;
 
 /// Calls `visit` with every triangle, in the world, that a walker cannot pass: all but doors.
-/// In increasing order of object, then of triangle.
+/// In increasing order of object, then of triangle; corners that are no numbers are left out.
 void forEachObstacle(const House& house, const std::function<void(const WorldTriangle&)>& visit);
 
 /// A stretch of a column that surfaces fill.
