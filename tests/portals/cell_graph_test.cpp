@@ -1,18 +1,15 @@
 #include "portals/cell_graph.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "portals/polygon.h"
 
 namespace enfilade {
 namespace {
-
-using ::testing::Contains;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// Two rooms and the exterior: a door between the rooms and one to the outside.
 CellGraph twoRooms() {
@@ -67,38 +64,37 @@ TEST(CellGraph, LinkCellsListsEveryPortalInBothItsCellsInOrder) {
 }
 
 TEST(CellGraph, DiagnoseFindsNothingWrongWithASoundGraph) {
-  EXPECT_THAT(diagnose(twoRooms()), IsEmpty());
+  EXPECT_EQ(diagnose(twoRooms()), std::vector<std::string>{});
+}
+
+/// Spoils a sound graph and looks for a line that holds `expected` in what is said of it.
+template <typename Spoil>
+void expectProblem(const Spoil& spoil, const std::string& expected) {
+  CellGraph graph = twoRooms();
+  spoil(graph);
+  const std::vector<std::string> problems = diagnose(graph);
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [&](const std::string& problem) {
+    return problem.find(expected) != std::string::npos;
+  })) << expected;
 }
 
 TEST(CellGraph, DiagnoseNamesWhatIsWrong) {
-  const auto problemsOf = [](const auto& spoil) {
-    CellGraph graph = twoRooms();
-    spoil(graph);
-    return diagnose(graph);
-  };
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.portals[0].back = 17; }),
-              Contains(HasSubstr("portal 0 'door' leads to a cell that does not exist")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.portals[0].back = 1; }),
-              Contains(HasSubstr("same cell on both sides")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.portals[0].polygon[2].x += 0.1f; }),
-              Contains(HasSubstr("not planar")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) {
-                g.portals[0].polygon[2] = {0, 0.5f, 0.8f};
-              }),
-              Contains(HasSubstr("not convex")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.portals[0].polygon.resize(2); }),
-              Contains(HasSubstr("2 corners")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) {
-                for (glm::vec3& corner : g.portals[0].polygon) corner.z = 0;
-              }),
-              Contains(HasSubstr("no area")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.portals[0].polygon[0].x = NAN; }),
-              Contains(HasSubstr("not a finite number")));
-  EXPECT_THAT(
-      problemsOf([](CellGraph& g) { std::swap(g.portals[0].polygon[0], g.portals[0].polygon[2]); }),
-      Contains(HasSubstr("wound against its plane")));
-  EXPECT_THAT(problemsOf([](CellGraph& g) { g.cells.emplace_back().name = "attic"; }),
-              Contains(HasSubstr("cell 3 'attic' has no portal")));
+  expectProblem([](CellGraph& g) { g.portals[0].back = 17; },
+                "portal 0 'door' leads to a cell that does not exist");
+  expectProblem([](CellGraph& g) { g.portals[0].back = 1; }, "same cell on both sides");
+  expectProblem([](CellGraph& g) { g.portals[0].polygon[2].x += 0.1f; }, "not planar");
+  expectProblem([](CellGraph& g) { g.portals[0].polygon[2] = {0, 0.5f, 0.8f}; }, "not convex");
+  expectProblem([](CellGraph& g) { g.portals[0].polygon.resize(2); }, "2 corners");
+  expectProblem([](CellGraph& g) { g.portals[0].polygon[0].x = NAN; }, "not a finite number");
+  expectProblem([](CellGraph& g) { g.cells.emplace_back().name = "attic"; },
+                "cell 3 'attic' has no portal");
+  expectProblem(
+      [](CellGraph& g) {
+        for (glm::vec3& corner : g.portals[0].polygon) corner.z = 0;
+      },
+      "no area");
+  expectProblem([](CellGraph& g) { std::swap(g.portals[0].polygon[0], g.portals[0].polygon[2]); },
+                "wound against its plane");
 }
 
 TEST(Polygon, DistanceIsThatToTheNearestOfManyPointsOnIt) {
