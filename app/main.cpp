@@ -1,1 +1,20 @@
-int main() { return 0; }
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/program.h"
+#include "scene/error.h"
+
+int main(int argc, char** argv) {
+  try {
+    return enfilade::runProgram(argc, argv);
+  } catch (const enfilade::Error& error) {
+    enfilade::printError(error.what());
+    return static_cast<int>(error.kind());
+  } catch (const std::bad_alloc&) {
+    enfilade::printError("out of memory");
+  } catch (const std::exception& error) {
+    enfilade::printError(error.what());
+  }
+  return static_cast<int>(enfilade::ErrorKind::kMachine);
+}

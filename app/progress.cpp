@@ -41,6 +41,7 @@ ProgressPrinter::~ProgressPrinter() {
 void ProgressPrinter::update(const std::string& stage, double done) {
   if (!stage_.empty() && stage != stage_) endStage();
   const bool starts = stage_.empty();
+  if (starts && stage == ended_ && done >= 1) return;
   if (starts) {
     stage_start_ = last_shown_ = Clock::now();
     stage_ = stage;
@@ -63,6 +64,7 @@ void ProgressPrinter::endStage() {
   done_ = 1;
   if (!quiet_ && terminal_) std::fputs("\r\033[K", stderr);
   printLine();
+  ended_ = stage_;
   stage_.clear();
 }
 

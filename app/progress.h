@@ -30,6 +30,7 @@ class ProgressPrinter {
   bool quiet_;
   bool terminal_;
   std::string stage_;  ///< empty: none is under way
+  std::string ended_;  ///< the stage that ended last
   double done_ = 0;
   Clock::time_point stage_start_;
   Clock::time_point last_shown_;

@@ -21,7 +21,7 @@ struct Report {
   std::size_t cells = 0, portals = 0, triangles = 0, images = 0;
   int width = 0, height = 0;
   double vertical_fov_degrees = 0;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;
   std::size_t frames = 0;
   std::vector<Method> methods;
   MachineInfo machine;

@@ -60,7 +60,7 @@
       `${house.images} portal images · model ${house.model}`;
     const machine = summary.machine;
     const lines = [["CPU", machine.cpu],
-      ["Cores", `${machine.cores}; threads: ${summary.threads || "as many as there are"}`],
+      ["Cores", `${machine.cores}, threads used: ${summary.threads}`],
       ["Memory", `${number(machine.memory_bytes / 2 ** 30, 1)} GiB`], ["System", machine.system],
       ["OpenGL", machine.gl_renderer], ["Enfilade", summary.tool_version], ["Tour", summary.tour]];
     for (const [term, text] of lines) byId("machine").append(element("dt", term), element("dd", text || "–"));
@@ -196,6 +196,7 @@
     addMethodChart("psnr", "psnr_db", "dB", 2, { includeZero: false });
     addMethodChart("uncovered", "uncovered_percent", "%", 3);
   }
+  if (charts.length > 0) pointAt(0);
   paintDots();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { refreshAll(); paintDots(); });
 })();

@@ -24,6 +24,7 @@ TEST(Progress, WithoutATerminalAStageIsOneLineWhenItEnds) {
     ProgressPrinter printer(false);
     const ProgressSink sink = printer.sink();
     for (int i = 0; i <= 100; ++i) sink("one", i / 100.0);
+    sink("one", 1);  // said twice
     sink("two", 0);
     sink("three", 0);  // "two" ends where another begins
     sink("three", 0.5);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -34,6 +35,16 @@ class TemporaryFolder {
     }
     std::sort(names.begin(), names.end());
     return names;
+  }
+
+  /// The paths of all that lies in it, however deep, sorted.
+  std::vector<std::string> tree() const {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
+      paths.push_back(entry.path().string());
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
   }
 
  private:

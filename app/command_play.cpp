@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/help_format.h"
+#include "app/playback.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/staged_folder.h"
+#include "preprocess/tour.h"
+#include "scene/error.h"
+#include "scene/file_io.h"
+
+namespace enfilade {
+
+namespace {
+
+struct PlayOptions {
+  std::string house, tour, output;
+  std::string methods = "geometry,culling,ldi";
+  std::string size = "640x512";
+  float fov_degrees = 0;  ///< 0: the path's own
+  int threads = 0;
+  PlaybackParameters playback;
+};
+
+/// "640x512" as columns and rows.
+glm::ivec2 parseSize(const std::string& text) {
+  glm::ivec2 size(0);
+  char after = 0;
+  const int found = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &after);  // NOLINT
+  if (found != 2 || size.x < 16 || size.y < 16 || size.x > 16384 || size.y > 16384) {
+    throw Error(ErrorKind::kUsage, "--size " + text,
+                "no size; write WIDTHxHEIGHT in pixels, each 16 to 16384, such as 640x512");
+  }
+  return size;
+}
+
+CameraPath pathFor(const PlayOptions& options, const House& house, bool quiet) {
+  if (options.tour.empty()) {
+    Tour tour = makeTour(house, {});
+    for (const std::string& note : tour.notes) printNote(quiet, note);
+    return tour.path;
+  }
+  CameraPath path = readCameraPath(options.tour);
+  if (path.poses.empty()) throw Error(ErrorKind::kBadInput, options.tour, "holds no poses");
+  return path;
+}
+
+void requireImages(const PlaybackParameters& playback, const PortalImages& images,
+                   const std::string& house) {
+  for (const Method method : playback.methods) {
+    if (!infoOf(method).portal_images || images.count() > 0) continue;
+    throw Error(ErrorKind::kBadInput, house,
+                std::string("has no images for the method ") + infoOf(method).name +
+                    "; preprocess the model again without --no-images");
+  }
+}
+
+/// `folder` as seen from the report, for the page's pictures.
+std::string relativeTo(const std::string& report, const std::string& folder) {
+  if (folder.empty()) return {};
+  const std::filesystem::path base = std::filesystem::absolute(report).lexically_normal();
+  return std::filesystem::absolute(folder).lexically_normal().lexically_relative(base).string();
+}
+
+Report describe(const PlayOptions& options, const House& house, const PortalImages& images,
+                const CameraPath& path) {
+  Report report;
+  report.tool_version = ENFILADE_VERSION;
+  report.house = options.house;
+  report.model = house.info.model_name;
+  report.tour = options.tour.empty() ? "the house's own" : options.tour;
+  report.cells = house.graph.cells.size();
+  report.portals = house.graph.portals.size();
+  report.triangles = triangleCount(house.building);
+  report.images = images.count();
+  report.threads = options.threads;
+  report.frames = path.poses.size();
+  report.methods = options.playback.methods;
+  report.frames_dir = relativeTo(options.output, options.playback.frames_dir);
+  return report;
+}
+
+void writeReport(const Report& report, StagedFolder& folder) {
+  writeFileAtomically(folder.path() + "/frames.csv", framesCsv(report));
+  writeFileAtomically(folder.path() + "/summary.json", summaryJson(report));
+  writeFileAtomically(folder.path() + "/report.html", reportHtml(report));
+  folder.commit();
+}
+
+void runPlay(PlayOptions options, const CommandContext& context) {
+  options.playback.methods = parseMethods(options.methods);
+  const glm::ivec2 size = parseSize(options.size);
+  const House house = readHouse(options.house);
+  const CameraPath path = pathFor(options, house, context.quiet);
+  const PortalImages images(house, options.house);
+  requireImages(options.playback, images, options.house);
+  StagedFolder folder(options.output, "frames.csv");
+
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.threads));
+  }
+  const std::unique_ptr<GlContext> gl = createOsMesaContext(options.threads);
+  FramePainter painter(*gl, house, images, size.x, size.y, options.threads);
+  const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
+  const Camera camera = walkingCamera(house, fov, size.x, size.y);
+
+  Report report = describe(options, house, images, path);
+  report.command = context.command_line;
+  report.width = size.x;
+  report.height = size.y;
+  report.vertical_fov_degrees = static_cast<double>(glm::degrees(fov));
+  report.machine = describeMachine(gl->description());
+  if (report.threads == 0) report.threads = report.machine.cores;
+  {
+    ProgressPrinter progress(context.quiet);
+    report.records = playBack(painter, path, camera, options.playback, progress.sink());
+  }
+  writeReport(report, folder);
+  printResult(reportTable(report) + "report: " + options.output + "/report.html\n");
+}
+
+std::string methodsHelp() {
+  std::string text = "\n\nMethods:";
+  for (const MethodInfo& info : allMethods()) {
+    text += fmt::format("\n  {:<9} {}", info.name, info.description);
+  }
+  return text;
+}
+
+void addPlayOptions(CLI::App& command, PlayOptions& options) {
+  command
+      .add_option("--methods", options.methods,
+                  "Methods to play, joined by commas: " + methodNames())
+      ->type_name("LIST")
+      ->capture_default_str();
+  command
+      .add_option("--tour", options.tour,
+                  "The path: our JSON, TUM, or a glTF whose camera moves; without it the house's "
+                  "own tour")
+      ->type_name("FILE");
+  command.add_option("--size", options.size, "Size of a frame [pixels]")
+      ->type_name("WxH")
+      ->capture_default_str();
+  command
+      .add_option("--fov", options.fov_degrees,
+                  "Vertical field of view [degrees], 1 to 170; without it the path's own")
+      ->type_name("DEGREES")
+      ->check(limits(1, 170));
+  command.add_option("--threads", options.threads, "Threads; 0 is as many as the machine has")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(limits(0, 1024));
+  command
+      .add_option("--warm-up", options.playback.warm_up,
+                  "Frames painted before the first that counts, for each method")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(limits(0, 10'000));
+  command
+      .add_flag("--quality", options.playback.quality,
+                "Compare every frame with geometry, untimed: PSNR, SSIM, pixels that differ")
+      ->group("Pictures");
+  command
+      .add_option("--frames-dir", options.playback.frames_dir,
+                  "Keep every frame as FOLDER/METHOD/frame-00000.png")
+      ->type_name("FOLDER")
+      ->group("Pictures");
+}
+
+}  // namespace
+
+void addPlayCommand(CLI::App& program, CommandContext& context) {
+  auto options = std::make_shared<PlayOptions>();
+  CLI::App* command =
+      addCommand(program, "play", "Play a walk by several methods and report what each frame took",
+                 "enfilade play house --methods geometry,raycast,culling,ldi --quality -o report",
+                 context.quiet);
+  command->footer(command->get_footer() + methodsHelp());
+  command->add_option("HOUSE", options->house, "A folder that 'enfilade preprocess' made")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "The report folder to write: report.html, summary.json, frames.csv")
+      ->required()
+      ->type_name("REPORT");
+  addPlayOptions(*command, *options);
+  command->callback(
+      [options, &context] { context.run = [options, &context] { runPlay(*options, context); }; });
+}
+
+}  // namespace enfilade

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/help_format.h"
+#include "app/progress.h"
+#include "preprocess/preprocess.h"
+
+namespace enfilade {
+
+namespace {
+
+struct PreprocessOptions {
+  std::string model;
+  std::string output;
+  bool no_images = false;
+  PreprocessParameters parameters;
+};
+
+void runPreprocess(const PreprocessOptions& options, bool quiet) {
+  ProgressPrinter progress(quiet);
+  PreprocessParameters parameters = options.parameters;
+  parameters.images = !options.no_images;
+  const PreprocessResult result =
+      preprocessBuilding(options.model, options.output, parameters, progress.sink());
+  double seconds = 0;
+  for (const StageTime& stage : result.stages) seconds += stage.seconds;
+  const CellGraph& graph = result.house.graph;
+  printResult(fmt::format(
+      "{}: {} cells, {} portals, {} storeys, {} triangles, {} images of portal sides ({:.1f} MB), "
+      "{:.1f} s\n",
+      options.output, graph.cells.size(), graph.portals.size(), graph.storeys.size(),
+      triangleCount(result.house.building), result.images,
+      static_cast<double>(result.image_bytes) / 1e6, seconds));
+}
+
+/// One option of `group`; the default and the limits show in its help.
+template <typename T>
+void addNumber(CLI::App& command, const char* group, const char* name, T& value, const char* text,
+               const char* unit, double least, double most) {
+  command.add_option(name, value, fmt::format("{}, {} to {}", text, least, most))
+      ->type_name(unit)
+      ->capture_default_str()
+      ->check(limits(least, most))
+      ->group(group);
+}
+
+void addCellOptions(CLI::App& command, PreprocessParameters& parameters) {
+  constexpr const char* kGroup = "Cells and portals";
+  command
+      .add_option("--doors", parameters.doors,
+                  "Names of openable doors: no obstacle, not drawn while walking; wildcards * and "
+                  "?, several joined by commas")
+      ->type_name("NAMES")
+      ->group(kGroup);
+  command
+      .add_option("--windows", parameters.windows,
+                  "Names of windows that can be seen through; see-through material always can")
+      ->type_name("NAMES")
+      ->group(kGroup);
+  command
+      .add_flag("--auto", parameters.automatic,
+                "Find cells and portals even where the model names them (NAME-room, NAME-portal)")
+      ->group(kGroup);
+  CellParameters& cells = parameters.cells;
+  addNumber(command, kGroup, "--voxel", cells.voxel, "Edge of a voxel [m]", "M", 0.02, 1.0);
+  addNumber(command, kGroup, "--slice-height", cells.slice_height,
+            "Height above a floor where rooms are told apart [m]", "M", 0.1, 5.0);
+  addNumber(command, kGroup, "--merge-ratio", cells.merge_ratio,
+            "Spaces joined by a neck wider than this share of the smaller one are one room",
+            "RATIO", 0.0, 1.0);
+  addNumber(command, kGroup, "--smallest-room", cells.smallest_room,
+            "Smaller spaces are merged [m2]", "M2", 0.0, 100.0);
+  addNumber(command, kGroup, "--smallest-door", cells.smallest_door,
+            "Narrower passages are cracks, not doors [m]", "M", 0.05, 5.0);
+  addNumber(command, kGroup, "--sight-lines", parameters.rays_per_cell,
+            "Sight lines sampled from each cell to see what its portals show", "N", 0, 100'000'000);
+}
+
+void addImageOptions(CLI::App& command, PreprocessOptions& options) {
+  constexpr const char* kGroup = "Images at the portals";
+  command.add_flag("--no-images", options.no_images, "Bake no images: for culling alone")
+      ->group(kGroup);
+  ImageParameters& image = options.parameters.image;
+  addNumber(command, kGroup, "--image-size", image.image_size, "Rows of an image [pixels]",
+            "PIXELS", 16, 4096);
+  addNumber(command, kGroup, "--captures", image.captures,
+            "Viewpoints on the semicircle before a portal", "N", 1, 180);
+  addNumber(command, kGroup, "--switch-distance", image.switch_distance,
+            "Nearer to a portal than this the geometry is drawn [m]", "M", 0.05, 100.0);
+  addNumber(command, kGroup, "--eye-height", options.parameters.eye_height,
+            "Height of the eye above the floor [m]", "M", 0.2, 3.0);
+}
+
+}  // namespace
+
+void addPreprocessCommand(CLI::App& program, CommandContext& context) {
+  auto options = std::make_shared<PreprocessOptions>();
+  CLI::App* command = addCommand(
+      program, "preprocess",
+      "Divide a building into cells and portals and bake the portals' images",
+      "enfilade preprocess duplex.glb -o duplex --doors 'IfcDoor*' --windows 'IfcWindow*'",
+      context.quiet);
+  command->add_option("MODEL", options->model, "The building: a .glb or .gltf file")->required();
+  command->add_option("-o,--output", options->output, "The house folder to write")
+      ->required()
+      ->type_name("HOUSE");
+  addCellOptions(*command, options->parameters);
+  addImageOptions(*command, *options);
+  addNumber(*command, "General", "-j,--jobs", options->parameters.threads,
+            "Threads; 0 is as many as the machine has", "N", 0, 1024);
+  command->callback([options, &context] {
+    context.run = [options, &context] { runPreprocess(*options, context.quiet); };
+  });
+}
+
+}  // namespace enfilade
