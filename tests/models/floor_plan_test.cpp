@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
 #include <string>
 
+#include "models/patterns.h"
 #include "models/plan_layout.h"
 #include "models/polygon.h"
 #include "models/raise_building.h"
+#include "models/shapes.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -67,6 +71,25 @@ void expectComplaint(const std::string& text, const std::string& about) {
 }
 
 TEST(FloorPlan, RaisesASmallHouse) { EXPECT_EQ(complaint(kPlan), "none"); }
+
+TEST(FloorPlan, RaisesTheExampleOfItsDescription) {
+  std::ifstream file(ENFILADE_SOURCE_DIR "/models/README.md");
+  std::stringstream stream;
+  stream << file.rdbuf();
+  const std::string text = stream.str();
+  const std::size_t from = text.find("```json") + 7;
+  ASSERT_GT(from, 7u);
+  EXPECT_EQ(complaint(text.substr(from, text.find("```", from) - from)), "none");
+}
+
+TEST(FloorPlan, DescribesEveryShapeAndPattern) {
+  std::ifstream file(ENFILADE_SOURCE_DIR "/models/README.md");
+  std::stringstream stream;
+  stream << file.rdbuf();
+  for (const auto& names : {shapeNames(), patternNames()})
+    for (const std::string& name : names)
+      EXPECT_NE(stream.str().find("`" + name + "`"), std::string::npos) << name;
+}
 
 TEST(FloorPlan, RejectsTextThatIsNotJson) { expectComplaint("{", "is not JSON"); }
 
