@@ -29,7 +29,8 @@ float levelOfDetail(const SurfaceTriangle& t, const PixelRay& ray, float distanc
         size * glm::vec2(glm::dot(t.gradient_s, on_plane), glm::dot(t.gradient_t, on_plane));
     return glm::dot(texels, texels);
   };
-  return 0.5f * std::log2(std::max(squared(ray.right), squared(ray.down)));
+  const float longest = std::max(squared(ray.right), squared(ray.down));
+  return longest > 1.0f ? 0.5f * std::log2(longest) : 0.0f;  // larger than a texel: mostly
 }
 
 }  // namespace

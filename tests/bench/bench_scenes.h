@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <glm/gtc/constants.hpp>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "scene/building.h"
@@ -88,6 +90,12 @@ inline Building spheres(int objects, int per_object, int materials, bool texture
     building.meshes.push_back(std::move(mesh));
   }
   return building;
+}
+
+/// A real building's file; empty where it is not there.
+inline std::string modelFile(const char* name) {
+  const std::string file = std::string(ENFILADE_SOURCE_DIR "/../shared/models/") + name;
+  return std::filesystem::exists(file) ? file : std::string();
 }
 
 inline std::vector<std::uint32_t> allObjects(const Building& building) {

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "render/renderer.h"
+#include "scene/gltf_reader.h"
 #include "tests/bench/bench_scenes.h"
 
 namespace enfilade {
@@ -70,25 +71,33 @@ void readBack(benchmark::State& state, bool depth) {
   }
 }
 
-BENCHMARK_CAPTURE(fill, plain, false)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(fill, textured, true)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(readBack, color, false)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(readBack, depth, true)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(spheres, 200k_one_sided, 8, 25000, 1, false, false)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(spheres, 200k_double_sided, 8, 25000, 1, false, true)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(spheres, 200k_textured, 8, 25000, 1, true, false)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(spheres, 1000_objects_20_materials, 1000, 100, 20, true, true)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(spheres, 1000_objects_1_material, 1000, 100, 1, true, true)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+void model(benchmark::State& state, const char* name, const glm::vec3& eye, float yaw) {
+  const std::string file = bench::modelFile(name);
+  if (file.empty()) return state.SkipWithError("no such model");
+  Camera camera;
+  camera.pose = poseFromAngles(eye, yaw, 0);
+  drawFrames(state, readGltf(file), camera);
+}
+
+#define ENFILADE_BENCH(...)           \
+  BENCHMARK_CAPTURE(__VA_ARGS__)      \
+      ->Unit(benchmark::kMillisecond) \
+      ->MeasureProcessCPUTime()       \
+      ->UseRealTime()
+
+ENFILADE_BENCH(fill, plain, false);
+ENFILADE_BENCH(fill, textured, true);
+ENFILADE_BENCH(readBack, color, false);
+ENFILADE_BENCH(readBack, depth, true);
+ENFILADE_BENCH(spheres, 200k_one_sided, 8, 25000, 1, false, false);
+ENFILADE_BENCH(spheres, 200k_double_sided, 8, 25000, 1, false, true);
+ENFILADE_BENCH(spheres, 200k_textured, 8, 25000, 1, true, false);
+ENFILADE_BENCH(spheres, 1000_objects_20_materials, 1000, 100, 20, true, true);
+ENFILADE_BENCH(spheres, 1000_objects_1_material, 1000, 100, 1, true, true);
+
+ENFILADE_BENCH(model, duplex, "duplex.glb", {2, 1.5f, 5}, 0.5f);
+ENFILADE_BENCH(model, freedoom, "freedoom-e1m1.glb", {0, 2, 0}, 0.3f);
+ENFILADE_BENCH(model, dream_apartment, "dream-apartment.glb", {5, 1.6f, -5}, 0.5f);
 
 }  // namespace
 }  // namespace enfilade
