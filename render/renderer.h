@@ -46,7 +46,8 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Starts a frame of this size with the sky.  Throws Error (kMachine) if the size is more than
+  /// Starts a frame of this size with the sky, and ends that of any other renderer of the context:
+  /// it may still be read, but not drawn into.  Throws Error (kMachine) if the size is more than
   /// the machine can.
   void begin(int width, int height);
 
@@ -67,6 +68,9 @@ class Renderer {
 
   /// Waits until all is drawn.
   void finish();
+
+  /// Copies the frame to the context's own framebuffer (a window's), stretched to its size.
+  void show(int window_width, int window_height);
 
   void readColor(Image& out);  ///< resized to the frame; never allocates when the size is the same
   void readDepth(std::vector<float>& out);

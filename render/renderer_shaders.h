@@ -17,6 +17,7 @@ struct ProgramVariant {
     return (textured ? 1u : 0u) + (double_sided ? 2u : 0u) +
            4u * static_cast<std::size_t>(alpha_mode);
   }
+  bool operator==(const ProgramVariant& other) const = default;
 };
 inline constexpr std::size_t kProgramVariants = 12;
 

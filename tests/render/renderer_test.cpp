@@ -249,6 +249,25 @@ TEST(Renderer, FramesOfChangingSizeStartAfresh) {
   }
 }
 
+TEST(Renderer, ShowTurnsTheFrameTheWayAWindowHasIt) {
+  Building building;
+  addQuad(building, rectangle({-9, 0}, {9, 9}, -2), unlitMaterial({1, 0, 0, 1}));
+  Renderer renderer(sharedContext(), building);
+  renderer.begin(8, 8);
+  renderer.draw(allObjects(building), frontCamera(8, 8).view());
+  renderer.show(8, 8);
+  Image still_there;
+  renderer.readColor(still_there);
+  EXPECT_EQ(pixelAt(still_there, 3, 0), kRed);
+
+  const GlFunctions& gl = sharedContext().gl();
+  std::array<std::uint8_t, 4 * 8 * 8> window{};
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  gl.ReadPixels(0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, window.data());
+  EXPECT_EQ(window[4 * 8 * 7], 255);   // the top row, OpenGL's last, is red
+  EXPECT_EQ(window[0], kSkyColor[0]);  // the bottom row is sky
+}
+
 TEST(Renderer, SizeBeyondTheMachineIsAnError) {
   Building building;
   Renderer renderer(sharedContext(), building);
