@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 struct VertexArrays {
   std::vector<glm::vec3> positions;  ///< object space [m]
   std::vector<glm::vec3> normals;    ///< object space, unit; always there
-  std::vector<glm::vec2> texcoords;  ///< with KHR_texture_transform applied; may be empty
+  std::vector<glm::vec2> texcoords;  ///< transforms applied; empty only if no picture needs it
   std::vector<glm::u16vec4> colors;  ///< COLOR_0, linear, 65535 is 1; may be empty
 };
 

@@ -73,6 +73,16 @@ void readOwnExtras(const GltfModel& gltf, Building& building, WarningLog& warnin
   }
 }
 
+/// Whoever samples a picture may count on coordinates.
+void fillMissingTexcoords(Building& building, WarningLog& warnings) {
+  for (const Mesh& mesh : building.meshes) {
+    VertexArrays& vertices = building.vertex_arrays[mesh.vertices];
+    if (building.materials[mesh.material].image == kNone || !vertices.texcoords.empty()) continue;
+    vertices.texcoords.assign(vertices.positions.size(), glm::vec2(0));
+    warnings.add("picture without texture coordinates", "mesh '" + oneLine(mesh.name) + "'");
+  }
+}
+
 }  // namespace
 
 Building readGltf(const std::string& file, Warnings* warnings) {
@@ -87,6 +97,7 @@ Building readGltf(const std::string& file, Warnings* warnings) {
   readOwnExtras(gltf, building, log);
   dropUnusedVertexArrays(building);
   mendPositions(building);
+  fillMissingTexcoords(building, log);
   if (const std::size_t mended = mendNormals(building); mended > 0) {
     log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
   }

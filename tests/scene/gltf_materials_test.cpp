@@ -154,6 +154,14 @@ TEST_F(GltfMaterials, HaveTheirTextureTransformBakedIn) {
   expectNear(3, {{10, 20}, {10, 18}, {13, 20}});
 }
 
+TEST_F(GltfMaterials, WithAPictureAlwaysComeWithTextureCoordinates) {
+  place(textured(texture(10)));
+  builder_.root["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", positions_}};
+  EXPECT_EQ(texcoordsOf(read(), 0), std::vector<glm::vec2>(3, glm::vec2(0)));
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0], "picture without texture coordinates: mesh 'mesh'");
+}
+
 TEST_F(GltfMaterials, GoWithoutAPictureThatCannotBeDecoded) {
   std::vector<std::uint8_t> damaged = picture(10);
   damaged.resize(30);

@@ -71,7 +71,7 @@ Building everything() {
                      {.name = "b", .vertices = 0, .material = 3, .indices = {2, 3, 4}},
                      {.name = "large", .vertices = 1, .material = 0, .indices = {0, 69'999, 5}},
                      {.name = "not placed", .vertices = 2, .material = 0, .indices = {0, 1, 2}},
-                     {.name = "a", .vertices = 1, .material = 2, .indices = {7, 8, 9}}};
+                     {.name = "a", .vertices = 0, .material = 2, .indices = {1, 5, 3}}};
   for (Mesh& mesh : building.meshes) mesh.bounds = boundsOf(building, mesh);
   const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1), {3, 4, 5}), 0.7f,
                                        glm::normalize(glm::vec3(1, 2, 3)));
