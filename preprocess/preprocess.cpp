@@ -164,6 +164,7 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
   Building model = stages.run("read the model", [&] { return readGltf(model_file); });
   HouseFolder output(folder);
   result.house = makeHouse(std::move(model), parameters, stages);
+  result.house.info.tool_version = ENFILADE_VERSION;
   result.house.info.model_name = std::filesystem::path(model_file).filename().string();
   result.house.info.model_sha256 = sha256Hex(readFile(model_file));
   output.clear();

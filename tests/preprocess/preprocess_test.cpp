@@ -1,0 +1,190 @@
+#include "preprocess/preprocess.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "models/samples.h"
+#include "preprocess/tour.h"
+#include "render/gl_context.h"
+#include "render/renderer.h"
+#include "scene/error.h"
+#include "scene/file_io.h"
+#include "scene/gltf_writer.h"
+#include "tests/preprocess/test_building.h"
+#include "visibility/object_index.h"
+#include "visibility/portal_culling.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kDuplex = ENFILADE_SOURCE_DIR "/../shared/models/duplex.glb";
+
+// A folder of its own for each test, removed afterwards.
+class Preprocess : public testing::Test {
+ protected:
+  Preprocess()
+      : root_(fs::temp_directory_path() /
+              ("enfilade-preprocess-" + std::to_string(getpid()) + "-" +
+               testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::create_directories(root_);
+  }
+  ~Preprocess() override { fs::remove_all(root_); }
+
+  std::string path(const std::string& name) const { return (root_ / name).string(); }
+
+ private:
+  fs::path root_;
+};
+
+PreprocessParameters withoutImages() {
+  PreprocessParameters parameters;
+  parameters.images = false;
+  return parameters;
+}
+
+// Every file of a folder with its content, by name.
+std::vector<std::pair<std::string, std::vector<std::uint8_t>>> contentOf(
+    const std::string& folder) {
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files.emplace_back(fs::relative(entry.path(), folder).string(),
+                       readFile(entry.path().string()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// The largest share of pixels, over the poses of the house's own tour, in which culling by portals
+// differs from the whole building.
+double largestDifference(const House& house, int frames, std::size_t& whole, std::size_t& culled) {
+  const auto context = createOsMesaContext();
+  Renderer renderer(*context, house.building);
+  const ObjectIndex index(house);
+  TourParameters parameters;
+  parameters.frames = frames;
+  const Tour tour = makeTour(house, parameters);
+  double largest = 0;
+  Image expected, seen;
+  for (const TimedPose& timed : tour.path.poses) {
+    Camera camera;
+    camera.pose = timed.pose;
+    const View view = camera.view();
+    renderer.begin(320, 256);
+    whole += renderer.draw(index.inFrustum(view), view).triangles;
+    renderer.readColor(expected);
+    const CellId cell = locate(house.graph, house.grid, view.eye).cell;
+    renderer.begin(320, 256);
+    culled += renderer.draw(index.visible(cullByPortals(house.graph, view, cell)), view).triangles;
+    renderer.readColor(seen);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < seen.rgba.size(); i += 4) {
+      differing += !std::equal(&seen.rgba[i], &seen.rgba[i] + 4, &expected.rgba[i]);
+    }
+    largest = std::max(largest,
+                       static_cast<double>(4 * differing) / static_cast<double>(seen.rgba.size()));
+  }
+  return largest;
+}
+
+TEST_F(Preprocess, CullingIsThePictureOfTheWholeGalleryToThePixel) {
+  writeGlb(path("gallery.glb"), raiseSample("gallery", 50000));
+  const House house = preprocessBuilding(path("gallery.glb"), path("house"), withoutImages()).house;
+  EXPECT_EQ(house.graph.cells.size(), 10u);
+  EXPECT_TRUE(diagnose(house.graph).empty());
+  std::size_t whole = 0, culled = 0;
+  EXPECT_EQ(largestDifference(house, 130, whole, culled), 0.0);
+  EXPECT_LT(2 * culled, whole);
+}
+
+TEST_F(Preprocess, TheGallerysRoomsAreFoundWithoutTheirNamesToo) {
+  writeGlb(path("gallery.glb"), raiseSample("gallery", 50000));
+  PreprocessParameters parameters = withoutImages();
+  parameters.automatic = true;
+  const House house = preprocessBuilding(path("gallery.glb"), path("house"), parameters).house;
+  EXPECT_EQ(house.graph.cells.size(), 10u);
+  std::size_t whole = 0, culled = 0;
+  EXPECT_EQ(largestDifference(house, 60, whole, culled), 0.0);
+}
+
+TEST_F(Preprocess, CullingIsThePictureOfARealHouse) {
+  if (!fs::exists(kDuplex)) GTEST_SKIP() << "no ../shared/models/duplex.glb beside this checkout";
+  PreprocessParameters parameters = withoutImages();
+  parameters.doors = "IfcDoor*";
+  parameters.windows = "IfcWindow*";
+  const House house = preprocessBuilding(kDuplex, path("house"), parameters).house;
+  EXPECT_GE(house.graph.cells.size(), 16u);
+  std::size_t whole = 0, culled = 0;
+  EXPECT_LE(largestDifference(house, 130, whole, culled), 1e-4);
+  EXPECT_LT(2 * culled, whole);
+}
+
+// Two small rooms and the doorway between them, named by their author.
+void writeTwoRooms(const std::string& file) {
+  TestBuilding test;
+  test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
+  test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
+  test.wall(true, 0, 0, 8, 0, 3);
+  test.wall(true, 4, 0, 8, 0, 3);
+  test.wall(false, 0, 0, 4, 0, 3);
+  test.wall(false, 4, 0, 4, 0, 3, {{1.5f, 2.5f, 0, 2.1f}});
+  test.wall(false, 8, 0, 4, 0, 3);
+  test.box({6, 0, 1}, {6.5f, 1, 1.5f});
+  writeGlb(file, test.building);
+}
+
+TEST_F(Preprocess, TheSameBytesForAnyNumberOfThreads) {
+  writeTwoRooms(path("rooms.glb"));
+  PreprocessParameters parameters;
+  parameters.image.image_size = 64;
+  parameters.rays_per_cell = 20000;
+  parameters.threads = 1;
+  const auto one = preprocessBuilding(path("rooms.glb"), path("one"), parameters);
+  parameters.threads = 2;
+  preprocessBuilding(path("rooms.glb"), path("two"), parameters);
+  EXPECT_EQ(one.images, 2u);
+  const auto files = contentOf(path("one"));
+  EXPECT_EQ(files.size(), 5u);  // house.json, geometry.glb, cells.grid and two LDIs
+  EXPECT_EQ(files, contentOf(path("two")));
+}
+
+TEST_F(Preprocess, AnOldHouseIsReplacedAndItsImagesGo) {
+  writeTwoRooms(path("rooms.glb"));
+  PreprocessParameters parameters;
+  parameters.image.image_size = 32;
+  parameters.rays_per_cell = 0;
+  preprocessBuilding(path("rooms.glb"), path("house"), parameters);
+  EXPECT_TRUE(fs::exists(path("house") + "/images"));
+  parameters.images = false;
+  preprocessBuilding(path("rooms.glb"), path("house"), parameters);
+  EXPECT_FALSE(fs::exists(path("house") + "/images"));
+  EXPECT_EQ(readHouse(path("house")).graph.cells.size(), 3u);
+}
+
+TEST_F(Preprocess, AFolderThatHoldsOtherThingsIsRefusedAndKept) {
+  writeTwoRooms(path("rooms.glb"));
+  fs::create_directories(path("photos"));
+  writeFileAtomically(path("photos") + "/holiday.jpg", std::string("x"));
+  try {
+    preprocessBuilding(path("rooms.glb"), path("photos"), withoutImages());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    EXPECT_NE(std::string(error.what()).find("holiday.jpg"), std::string::npos);
+  }
+  EXPECT_EQ(contentOf(path("photos")).size(), 1u);
+}
+
+TEST_F(Preprocess, AModelThatCannotBeReadLeavesNoFolderBehind) {
+  writeFileAtomically(path("text.glb"), std::string("not a model"));
+  EXPECT_THROW(preprocessBuilding(path("text.glb"), path("house"), {}), Error);
+  EXPECT_FALSE(fs::exists(path("house")));
+}
+
+}  // namespace
+}  // namespace enfilade
