@@ -113,7 +113,7 @@ glm::dvec3 terracotta(const PlanFinish& f, const glm::dvec2& uv) {
 }
 
 glm::dvec3 terrazzo(const PlanFinish& f, const glm::dvec2& uv) {
-  constexpr int kChips = 40;
+  constexpr int kChips = 30;
   const glm::dvec2 p = uv * double(kChips);
   double nearest = 9, second = 9;
   glm::i64vec2 best(0);

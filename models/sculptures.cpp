@@ -17,13 +17,31 @@ glm::dvec3 onSphere(double u, double v) {
   return {std::cos(phi) * std::cos(theta), std::sin(phi), -std::cos(phi) * std::sin(theta)};
 }
 
-CurvedSurface sphereLike(const std::function<SurfacePoint(const glm::dvec3&)>& at) {
+/// What is left of a ball in some direction: its share of the radius, and how much sky reaches it.
+struct Carved {
+  double radius, shade;
+};
+
+/// A ball carved by direction, stood with its lowest point a hair below y = 0.
+Shape carvedBall(double r, const std::function<Carved(const glm::dvec3&)>& carve) {
+  double lowest = 0;
+  for (int j = 0; j <= 24; ++j) {
+    for (int i = 0; i < 48; ++i) {
+      const glm::dvec3 d = onSphere(i / 48.0, j / 48.0);
+      lowest = std::min(lowest, d.y * carve(d).radius);
+    }
+  }
   CurvedSurface surface;
   surface.pole_low = surface.pole_high = true;
   surface.aspect = 1.8;
   surface.repeats = {2, 1};
-  surface.at = [at](double u, double v) { return at(onSphere(u, v)); };
-  return surface;
+  surface.at = [=](double u, double v) {
+    const glm::dvec3 d = onSphere(u, v);
+    const Carved left = carve(d);
+    return SurfacePoint{r * (left.radius * d - glm::dvec3(0, 0.99 * lowest, 0)),
+                        left.shade * (0.65 + 0.35 * ramp(-1, 0, d.y))};
+  };
+  return {{surface}, {}};
 }
 
 double powered(double x, double exponent) {
@@ -54,29 +72,24 @@ Shape makeSuperquadric(const ShapeNumbers& n) {
 Shape makePebble(const ShapeNumbers& n) {
   const double r = n.at("radius"), rough = n.at("rough"), scale = n.at("scale");
   const auto seed = static_cast<std::uint32_t>(n.at("seed"));
-  return {{sphereLike([=](const glm::dvec3& d) {
-            const double bump = fractal3(seed, d * scale, 5);
-            const double ridge = 1 - std::abs(noise3(seed + 77, d * (0.7 * scale)));
-            const double k = 1 + rough * (0.8 * bump + 0.4 * (ridge - 0.7));
-            return SurfacePoint{
-                glm::dvec3(0, r, 0) + d * (r * k),
-                std::clamp(0.8 + 0.5 * bump, 0.4, 1.0) * (0.65 + 0.35 * ramp(-1, 0, d.y))};
-          })},
-          {}};
+  return carvedBall(r, [=](const glm::dvec3& d) {
+    const double bump = fractal3(seed, d * scale, 5);
+    const double ridge = 1 - std::abs(noise3(seed + 77, d * (0.7 * scale)));
+    return Carved{1 + rough * (0.8 * bump + 0.4 * (ridge - 0.7)),
+                  std::clamp(0.8 + 0.5 * bump, 0.4, 1.0)};
+  });
 }
 
 /// A ball pierced, as it were, by the gyroid: ribbons stand out of it.
 Shape makeGyroidBall(const ShapeNumbers& n) {
   const double r = n.at("radius"), scale = n.at("scale"), depth = n.at("depth");
-  return {{sphereLike([=](const glm::dvec3& d) {
-            const glm::dvec3 p = d * scale;
-            const double g = std::sin(p.x) * std::cos(p.y) + std::sin(p.y) * std::cos(p.z) +
-                             std::sin(p.z) * std::cos(p.x);
-            const double high = ramp(-0.35, 0.35, g);
-            return SurfacePoint{glm::dvec3(0, r, 0) + d * (r * (1 - depth * (1 - high))),
-                                (0.45 + 0.55 * high) * (0.7 + 0.3 * ramp(-1, 0, d.y))};
-          })},
-          {}};
+  return carvedBall(r, [=](const glm::dvec3& d) {
+    const glm::dvec3 p = d * scale;
+    const double g = std::sin(p.x) * std::cos(p.y) + std::sin(p.y) * std::cos(p.z) +
+                     std::sin(p.z) * std::cos(p.x);
+    const double high = ramp(-0.35, 0.35, g);
+    return Carved{1 - depth * (1 - high), 0.45 + 0.55 * high};
+  });
 }
 
 /// A tube of radius `thick` around the torus knot (p, q), ribbed along its way.
