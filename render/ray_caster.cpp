@@ -1,23 +1,21 @@
 #include "render/ray_caster.h"
 
 #include <embree3/rtcore.h>
-#include <tbb/blocked_range2d.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cassert>
+#include <thread>
 
 #include "render/embree_scene.h"
 #include "render/packet_painter.h"
+#include "render/share_out.h"
 #include "render/surfaces.h"
-#include "scene/error.h"
 
 namespace enfilade {
 namespace {
 
 constexpr int kTileSide = 32;  // [pixels]
+constexpr std::size_t kRaysTogether = 4096;
 
 RTCRayHit rayHitOf(const Ray& ray) noexcept {
   RTCRayHit hit{};
@@ -45,17 +43,15 @@ RayHit castOne(const EmbreeScene& scene, const Ray& ray, const RayQuery& query) 
 }  // namespace
 
 struct RayCaster::Impl {
-  Impl(const Building& building, std::span<const std::uint8_t> hidden, int threads)
-      : surfaces(building), scene(building, surfaces, hidden), arena(arenaSize(threads)) {}
-
-  static int arenaSize(int threads) {
-    const int most = tbb::info::default_concurrency();
-    return threads > 0 ? std::min(threads, most) : most;
-  }
+  Impl(const Building& building, std::span<const std::uint8_t> hidden, int thread_count)
+      : surfaces(building),
+        scene(building, surfaces, hidden),
+        threads(thread_count > 0 ? thread_count
+                                 : static_cast<int>(std::thread::hardware_concurrency())) {}
 
   Surfaces surfaces;
   EmbreeScene scene;
-  mutable tbb::task_arena arena;
+  int threads;
 };
 
 RayCaster::RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads)
@@ -68,19 +64,20 @@ void RayCaster::render(const Camera& camera, int width, int height, Image& out) 
   out.height = height;
   out.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const PixelRays rays = pixelRays(camera, width, height);
-  const auto paintTiles = [&](const tbb::blocked_range2d<int>& tiles) {
+  const int columns = (width + kTileSide - 1) / kTileSide;
+  const int rows = (height + kTileSide - 1) / kTileSide;
+  const auto paintTile = [&](std::size_t tile) {
+    const int left = static_cast<int>(tile) % columns * kTileSide;
+    const int top = static_cast<int>(tile) / columns * kTileSide;
     PacketPainter painter(impl_->scene, impl_->surfaces, rays, out);
-    for (int y = tiles.rows().begin() * kTileSide;
-         y < std::min(tiles.rows().end() * kTileSide, height); y += kPacketSide) {
-      for (int x = tiles.cols().begin() * kTileSide;
-           x < std::min(tiles.cols().end() * kTileSide, width); x += kPacketSide) {
+    for (int y = top; y < std::min(top + kTileSide, height); y += kPacketSide) {
+      for (int x = left; x < std::min(left + kTileSide, width); x += kPacketSide) {
         painter.paint(x, y);
       }
     }
   };
-  const tbb::blocked_range2d<int> tiles(0, (height + kTileSide - 1) / kTileSide, 1, 0,
-                                        (width + kTileSide - 1) / kTileSide, 1);
-  impl_->arena.execute([&] { tbb::parallel_for(tiles, paintTiles); });
+  shareOut(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), impl_->threads,
+           paintTile);
 }
 
 RayHit RayCaster::cast(const glm::vec3& origin, const glm::vec3& unit_direction, float min_distance,
@@ -93,14 +90,13 @@ void RayCaster::cast(std::span<const Ray> rays, bool through_blended,
                      std::span<RayHit> hits) const {
   assert(rays.size() == hits.size());
   const RayQuery query{through_blended, glm::vec3(0), glm::vec3(0)};
-  impl_->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 1024),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                          hits[i] = castOne(impl_->scene, rays[i], query);
-                        }
-                      });
-  });
+  const auto castSome = [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * kRaysTogether, rays.size());
+    for (std::size_t i = part * kRaysTogether; i < end; ++i) {
+      hits[i] = castOne(impl_->scene, rays[i], query);
+    }
+  };
+  shareOut((rays.size() + kRaysTogether - 1) / kRaysTogether, impl_->threads, castSome);
 }
 
 }  // namespace enfilade

@@ -71,6 +71,24 @@ void readBack(benchmark::State& state, bool depth) {
   }
 }
 
+/// A portal that fills the frame with a warped image.
+void screenPolygon(benchmark::State& state) {
+  const Building building;
+  Renderer renderer(context(), building);
+  Image picture;
+  picture.width = kWidth;
+  picture.height = kHeight;
+  picture.rgba.assign(4 * kWidth * kHeight, 200);
+  const std::vector<ScreenPolygon> polygons = {
+      {{{-50, -50, -5}, {50, -50, -5}, {50, 50, -5}, {-50, 50, -5}}}};
+  for (auto _ : state) {
+    renderer.begin(kWidth, kHeight);
+    renderer.drawScreenPolygons(polygons, picture, {0, 0, kWidth, kHeight},
+                                Camera{}.clipFromWorld());
+    renderer.finish();
+  }
+}
+
 void model(benchmark::State& state, const char* name, const glm::vec3& eye, float yaw) {
   const std::string file = bench::modelFile(name);
   if (file.empty()) return state.SkipWithError("no such model");
@@ -78,6 +96,8 @@ void model(benchmark::State& state, const char* name, const glm::vec3& eye, floa
   camera.pose = poseFromAngles(eye, yaw, 0);
   drawFrames(state, readGltf(file), camera);
 }
+
+BENCHMARK(screenPolygon)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 #define ENFILADE_BENCH(...)           \
   BENCHMARK_CAPTURE(__VA_ARGS__)      \
