@@ -1,5 +1,7 @@
 #include "app/portal_pictures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +38,7 @@ glm::ivec4 grownBy(const glm::ivec4& box, const std::vector<glm::vec2>& polygon,
 }
 
 /// Nothing fell into the pixels of `box`.  The portal's polygon may reach beyond its regions, where
-/// another portal's picture may stand in the buffer.
+/// an earlier frame's picture stands in the buffer.
 void clear(Image& picture, const glm::ivec4& box) {
   if (box.x >= box.z) return;
   for (int y = box.y; y < box.w; ++y) {
@@ -50,9 +52,7 @@ void clear(Image& picture, const glm::ivec4& box) {
 
 PortalPictures::PortalPictures(const House& house, const PortalImages& images, int width,
                                int height)
-    : house_(house), images_(images) {
-  buffer_.resize(width, height);
-}
+    : house_(house), images_(images), width_(width), height_(height) {}
 
 bool PortalPictures::showsImage(const glm::vec3& eye, PortalId id, bool from_front) const {
   if (!images_.find(id, from_front)) return false;
@@ -62,47 +62,61 @@ bool PortalPictures::showsImage(const glm::vec3& eye, PortalId id, bool from_fro
          distanceToPolygon(portal.polygon, portal.plane, eye) > house_.switch_distance;
 }
 
+void PortalPictures::warp(const PlanarCamera& desired, Picture& picture) const {
+  Image& color = picture.buffer.color;
+  if (color.rgba.empty()) picture.buffer.resize(width_, height_);
+  const Ldi& ldi = *images_.find(picture.portal->portal, picture.portal->from_front);
+  std::vector<std::vector<glm::vec2>> regions;
+  picture.box = {width_, height_, 0, 0};
+  for (const ScreenRegion& region : picture.portal->regions) {
+    regions.push_back(toPixels(region.corners, color));
+    picture.box = grownBy(picture.box, regions.back(), color);
+  }
+  clear(color, picture.box);
+  picture.counts = {};
+  for (const auto& region : regions) {
+    const WarpCounts counts = warpLdi(ldi, desired, region, picture.buffer);
+    picture.counts.samples += counts.samples;
+    picture.counts.samples_clipped += counts.samples_clipped;
+    picture.counts.pixels_uncovered += counts.pixels_uncovered;
+  }
+}
+
 void PortalPictures::draw(const VisibleSet& set, const Camera& camera, Renderer& renderer,
                           FrameCost& cost) {
-  Image& picture = buffer_.color;
-  const PlanarCamera desired = planarCamera(camera, picture.width, picture.height);
-  const glm::mat4 clip_from_world = camera.clipFromWorld();
-  WarpCounts sum;
-  std::size_t images = 0;
-  double warp_ms = 0, composite_ms = 0;
-  // One portal after the other, as the regions of two may overlap on screen: depth decides.
+  Stopwatch watch;
+  used_ = 0;
   for (const VisiblePortal& visible : set.portals) {
     if (!visible.as_image) continue;
-    ++images;
-    Stopwatch watch;
-    const Ldi& ldi = *images_.find(visible.portal, visible.from_front);
-    std::vector<std::vector<glm::vec2>> regions;
-    glm::ivec4 box(picture.width, picture.height, 0, 0);
-    for (const ScreenRegion& region : visible.regions) {
-      regions.push_back(toPixels(region.corners, picture));
-      box = grownBy(box, regions.back(), picture);
-    }
-    clear(picture, box);
-    for (const auto& region : regions) {
-      const WarpCounts counts = warpLdi(ldi, desired, region, buffer_);
-      sum.samples += counts.samples;
-      sum.samples_clipped += counts.samples_clipped;
-      sum.pixels_uncovered += counts.pixels_uncovered;
-    }
-    warp_ms += watch.lapMs();
-    // As large as it is taken for in culling; the solid jambs stand before what is too much.
-    const Portal& portal = house_.graph.portals[visible.portal];
-    const ScreenPolygon polygon{grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
-    renderer.drawScreenPolygons({&polygon, 1}, picture, box, clip_from_world);
-    composite_ms += watch.lapMs();
+    if (used_ == pictures_.size()) pictures_.emplace_back();
+    pictures_[used_++].portal = &visible;
   }
-  cost.warp_ms = warp_ms;
-  cost.composite_ms = composite_ms;
-  cost.portals_as_images = images;
+  const PlanarCamera desired = planarCamera(camera, width_, height_);
+  tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t i) { warp(desired, pictures_[i]); });
+  cost.warp_ms = watch.lapMs();
+  for (std::size_t i = 0; i < used_; ++i) {
+    // As large as it is taken for in culling; the solid jambs stand before what is too much.
+    const Portal& portal = house_.graph.portals[pictures_[i].portal->portal];
+    const ScreenPolygon polygon{grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
+    renderer.drawScreenPolygons({&polygon, 1}, pictures_[i].buffer.color, pictures_[i].box,
+                                camera.clipFromWorld());
+  }
+  cost.composite_ms = watch.lapMs();
+  addCounts(cost);
+}
+
+void PortalPictures::addCounts(FrameCost& cost) const {
+  WarpCounts sum;
+  for (std::size_t i = 0; i < used_; ++i) {
+    sum.samples += pictures_[i].counts.samples;
+    sum.samples_clipped += pictures_[i].counts.samples_clipped;
+    sum.pixels_uncovered += pictures_[i].counts.pixels_uncovered;
+  }
+  cost.portals_as_images = used_;
   cost.samples = sum.samples;
   cost.samples_clipped = sum.samples_clipped;
-  cost.uncovered_percent = 100.0 * static_cast<double>(sum.pixels_uncovered) /
-                           (static_cast<double>(picture.width) * picture.height);
+  cost.uncovered_percent =
+      100.0 * static_cast<double>(sum.pixels_uncovered) / (static_cast<double>(width_) * height_);
 }
 
 }  // namespace enfilade

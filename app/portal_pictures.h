@@ -23,13 +23,27 @@ class PortalPictures {
   bool showsImage(const glm::vec3& eye, PortalId portal, bool from_front) const;
 
   /// Warps the image of every portal of `set` that is shown as one to `camera` and has `renderer`
-  /// draw it in the portal.  Adds the times of both and what was warped to `cost`.
+  /// draw it in the portal.  Fills in the times of both and what was warped in `cost`.  The same
+  /// pixels for any number of threads.
   void draw(const VisibleSet& set, const Camera& camera, Renderer& renderer, FrameCost& cost);
 
  private:
+  /// One portal's picture of the frame: it has a buffer of its own, so that portals are warped at
+  /// once, and two whose regions overlap on screen do not meet; depth decides between them.
+  struct Picture {
+    const VisiblePortal* portal = nullptr;
+    glm::ivec4 box{0};  ///< x0, y0, x1, y1 of the pixels that may be written
+    WarpCounts counts;
+    WarpBuffer buffer;
+  };
+  void warp(const PlanarCamera& desired, Picture& picture) const;
+  void addCounts(FrameCost& cost) const;
+
   const House& house_;
   const PortalImages& images_;
-  WarpBuffer buffer_;
+  int width_, height_;
+  std::vector<Picture> pictures_;  ///< kept between frames; the first `used_` are this frame's
+  std::size_t used_ = 0;
 };
 
 }  // namespace enfilade
