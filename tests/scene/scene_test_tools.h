@@ -33,6 +33,8 @@ class TempFolder {
   /// Writes a file of this content and returns its path.
   std::string file(const std::string& name, const std::string& content) const {
     std::filesystem::create_directories((path_ / name).parent_path());
+    // Some file systems wait for the disk when a file is cut to nothing and written again.
+    std::filesystem::remove(path_ / name);
     std::ofstream(path_ / name, std::ios::binary) << content;
     return *this / name;
   }
