@@ -47,6 +47,18 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   return directionOf(areaNormal(a, b, c));
 }
 
+std::size_t countWithoutArea(const Building& building) {
+  std::size_t count = 0;
+  for (const Mesh& mesh : building.meshes) {
+    const std::vector<glm::vec3>& p = building.vertex_arrays[mesh.vertices].positions;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const auto* corner = &mesh.indices[i];
+      if (!hasDirection(areaNormal(p[corner[0]], p[corner[1]], p[corner[2]]))) ++count;
+    }
+  }
+  return count;
+}
+
 void dropUnusedVertexArrays(Building& building) {
   std::vector<std::uint32_t> new_index(building.vertex_arrays.size(), kNone);
   for (const Mesh& mesh : building.meshes) new_index[mesh.vertices] = 0;

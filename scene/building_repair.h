@@ -18,6 +18,9 @@ void mendPositions(Building& building);
 /// how many had none.
 std::size_t mendNormals(Building& building);
 
+/// Triangles over all meshes that have no area: they are drawn as nothing, and harm nothing.
+std::size_t countWithoutArea(const Building& building);
+
 /// The unit vector along (b − a) × (c − a), +Y where the triangle has no area.
 glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 

@@ -173,10 +173,10 @@ json parseGltfContainer(const std::string& file, std::span<const std::uint8_t> b
   json root = parseJson(file, text);
   checkShape(file, root);
   checkRequiredExtensions(file, root);
-  for (const char* optional : {"EXT_mesh_gpu_instancing", "KHR_materials_variants"}) {
-    const json used = root.value("extensionsUsed", json::array());
-    if (std::find(used.begin(), used.end(), json(optional)) != used.end()) {
-      warnings.add("extension ignored", optional);
+  const json used = root.value("extensionsUsed", json::array());
+  for (const char* ignored : {"EXT_mesh_gpu_instancing", "KHR_node_visibility"}) {
+    if (std::find(used.begin(), used.end(), json(ignored)) != used.end()) {
+      warnings.add("extension ignored", ignored);
     }
   }
   return root;

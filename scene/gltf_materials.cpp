@@ -13,9 +13,53 @@
 namespace enfilade {
 namespace {
 
+double numberOr(const tinygltf::Value& o, const std::string& key, double otherwise) {
+  if (!o.IsObject() || !o.Has(key)) return otherwise;
+  const tinygltf::Value& value = o.Get(key);
+  return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
+}
+
+/// `count` numbers, or none.
+std::vector<double> numbersOf(const tinygltf::Value& o, const std::string& key, std::size_t count) {
+  std::vector<double> numbers;
+  if (!o.IsObject() || !o.Has(key)) return numbers;
+  const tinygltf::Value& values = o.Get(key);
+  if (!values.IsArray() || values.ArrayLen() != count) return numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const tinygltf::Value& value = values.Get(static_cast<int>(i));
+    numbers.push_back(value.IsNumber() ? value.GetNumberAsDouble() : 0.0);
+  }
+  return numbers;
+}
+
+/// What a material's colour comes from.
+struct BaseColor {
+  std::vector<double> factor;  ///< 4 numbers, or none
+  tinygltf::TextureInfo texture;
+};
+
+/// From pbrMetallicRoughness, or from the diffuse part of KHR_materials_pbrSpecularGlossiness,
+/// which older exporters write.
+BaseColor baseColorOf(const tinygltf::Material& material) {
+  const auto found = material.extensions.find("KHR_materials_pbrSpecularGlossiness");
+  if (found == material.extensions.end()) {
+    return {material.pbrMetallicRoughness.baseColorFactor,
+            material.pbrMetallicRoughness.baseColorTexture};
+  }
+  BaseColor color{numbersOf(found->second, "diffuseFactor", 4), {}};
+  if (!found->second.Has("diffuseTexture")) return color;
+  const tinygltf::Value& texture = found->second.Get("diffuseTexture");
+  color.texture.index = static_cast<int>(std::clamp(numberOr(texture, "index", -1), -1.0, 1e9));
+  color.texture.texCoord = static_cast<int>(std::clamp(numberOr(texture, "texCoord", 0), 0.0, 1e3));
+  if (texture.Has("extensions") && texture.Get("extensions").IsObject()) {
+    color.texture.extensions = texture.Get("extensions").Get<tinygltf::Value::Object>();
+  }
+  return color;
+}
+
 /// The texture of a material's base colour; null without one.
 const tinygltf::Texture* textureOf(const GltfModel& gltf, const tinygltf::Material& material) {
-  const int index = material.pbrMetallicRoughness.baseColorTexture.index;
+  const int index = baseColorOf(material).texture.index;
   if (index < 0) return nullptr;
   if (static_cast<std::size_t>(index) >= gltf->textures.size()) {
     gltf.fail(fmt::format("is no valid glTF: there is no texture {}", index));
@@ -74,7 +118,7 @@ std::string quoted(const tinygltf::Material& material) {
   return "material '" + oneLine(material.name) + "'";
 }
 
-glm::vec4 baseColor(const std::vector<double>& factor) {
+glm::vec4 colorOf(const std::vector<double>& factor) {
   glm::vec4 color(1);
   for (std::size_t i = 0; i < factor.size() && i < 4; ++i) {
     const bool finite = std::isfinite(factor[i]);
@@ -90,23 +134,6 @@ Wrap wrapOf(int gltf_wrap) {
   return Wrap::kRepeat;
 }
 
-double numberOr(const tinygltf::Value& o, const std::string& key, double otherwise) {
-  if (!o.IsObject() || !o.Has(key)) return otherwise;
-  const tinygltf::Value& value = o.Get(key);
-  return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
-}
-
-std::array<double, 2> pairOr(const tinygltf::Value& o, const std::string& key, double otherwise) {
-  std::array<double, 2> pair{otherwise, otherwise};
-  if (!o.IsObject() || !o.Has(key)) return pair;
-  const tinygltf::Value& values = o.Get(key);
-  for (int i = 0; i < 2 && values.IsArray() && values.ArrayLen() == 2; ++i) {
-    if (values.Get(i).IsNumber())
-      pair[static_cast<std::size_t>(i)] = values.Get(i).GetNumberAsDouble();
-  }
-  return pair;
-}
-
 /// KHR_texture_transform.  Its text turns counter-clockwise with v pointing down; the GLSL listed
 /// there turns the other way (KhronosGroup/glTF issue 1563).  This is what its sample model and all
 /// viewers do.
@@ -118,8 +145,10 @@ TextureMapping mappingOf(const tinygltf::TextureInfo& texture) {
   const tinygltf::Value& extension = found->second;
   mapping.texcoord_set =
       static_cast<int>(std::clamp(numberOr(extension, "texCoord", texture.texCoord), 0.0, 1000.0));
-  const auto offset = pairOr(extension, "offset", 0.0);
-  const auto scale = pairOr(extension, "scale", 1.0);
+  std::vector<double> offset = numbersOf(extension, "offset", 2);
+  std::vector<double> scale = numbersOf(extension, "scale", 2);
+  if (offset.empty()) offset = {0.0, 0.0};
+  if (scale.empty()) scale = {1.0, 1.0};
   const double rotation = numberOr(extension, "rotation", 0.0);
   const double c = std::cos(rotation);
   const double s = std::sin(rotation);
@@ -172,15 +201,14 @@ std::vector<TextureMapping> readMaterials(const GltfModel& gltf, Building& build
   for (const tinygltf::Material& source : gltf->materials) {
     Material material;
     material.name = source.name;
-    material.base_color = baseColor(source.pbrMetallicRoughness.baseColorFactor);
+    const BaseColor color = baseColorOf(source);
+    material.base_color = colorOf(color.factor);
     material.double_sided = source.doubleSided;
     material.unlit = source.extensions.contains("KHR_materials_unlit");
     readAlpha(source, material, warnings);
     readTexture(gltf, source, images, material, warnings);
     building.materials.push_back(material);
-    mappings.push_back(material.image == kNone
-                           ? TextureMapping{}
-                           : mappingOf(source.pbrMetallicRoughness.baseColorTexture));
+    mappings.push_back(material.image == kNone ? TextureMapping{} : mappingOf(color.texture));
   }
   return mappings;
 }

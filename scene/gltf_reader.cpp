@@ -101,6 +101,9 @@ Building readGltf(const std::string& file, Warnings* warnings) {
   if (const std::size_t mended = mendNormals(building); mended > 0) {
     log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
   }
+  if (const std::size_t count = countWithoutArea(building); count > 0) {
+    log.add("triangles without area", std::to_string(count));
+  }
   if (warnings != nullptr) *warnings = log.lines();
   return building;
 }

@@ -154,6 +154,21 @@ TEST_F(GltfMaterials, HaveTheirTextureTransformBakedIn) {
   expectNear(3, {{10, 20}, {10, 18}, {13, 20}});
 }
 
+TEST_F(GltfMaterials, OfSpecularAndGlossHaveTheirDiffuseColour) {
+  const Json transform{{"KHR_texture_transform", {{"offset", {3, 4}}}}};
+  place({{"extensions",
+          {{"KHR_materials_pbrSpecularGlossiness",
+            {{"diffuseFactor", {0.5, 0.25, 0.125, 1}},
+             {"diffuseTexture",
+              {{"index", texture(10)}, {"texCoord", 1}, {"extensions", transform}}}}}}}});
+  place({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", Json::object()}}}});
+  const Building building = read();
+  EXPECT_EQ(building.materials[0].base_color, glm::vec4(0.5f, 0.25f, 0.125f, 1));
+  EXPECT_EQ(building.materials[0].image, 0u);
+  EXPECT_EQ(texcoordsOf(building, 0)[0], glm::vec2(3.5f, 4.5f));
+  EXPECT_EQ(building.materials[1].base_color, glm::vec4(1));
+}
+
 TEST_F(GltfMaterials, WithAPictureAlwaysComeWithTextureCoordinates) {
   place(textured(texture(10)));
   builder_.root["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", positions_}};
