@@ -87,7 +87,13 @@ std::string outlinePath(const PlanSlice& slice, CellGrid::Label label, const Cro
   return path;
 }
 
-std::string cellLabel(const PlanSlice& slice, const Cell& cell, CellId id, const Crop& crop) {
+/// The cell's name without that of its storey, which stands above the plan.
+std::string shortName(const CellGraph& graph, const Cell& cell) {
+  const std::string before = graph.storeys[static_cast<std::size_t>(cell.storey)].name + " ";
+  return cell.name.starts_with(before) ? cell.name.substr(before.size()) : cell.name;
+}
+
+std::string cellLabel(const PlanSlice& slice, const CellGraph& graph, CellId id, const Crop& crop) {
   const LabelPlace place = placeLabel(slice, static_cast<CellGrid::Label>(id));
   const float area = static_cast<float>(place.squares) * slice.voxel * slice.voxel;
   if (area < 0.5f) return {};
@@ -95,7 +101,7 @@ std::string cellLabel(const PlanSlice& slice, const Cell& cell, CellId id, const
                                   slice.origin.y + slice.voxel * place.center.y);
   const float width = kScale * slice.voxel * place.width;
   const float height = kScale * slice.voxel * place.height;
-  std::string name = cell.name;
+  std::string name = shortName(graph, graph.cells[id]);
   const auto fit = [&] {
     return std::min(width / (0.6f * static_cast<float>(std::max<std::size_t>(name.size(), 4))),
                     height / 2.4f);
@@ -157,7 +163,7 @@ std::string storeyPlan(const House& house, std::size_t storey, float slice_heigh
     if (path.empty()) continue;
     svg += fmt::format("<path d=\"{}\" fill=\"{}\"><title>{} {}</title></path>\n", path,
                        cellColor(id), id, escaped(graph.cells[id].name));
-    labels += cellLabel(slice, graph.cells[id], id, crop);
+    labels += cellLabel(slice, graph, id, crop);
   }
   svg += fmt::format("<path d=\"{}\" fill=\"#3a3f47\"/>\n",
                      outlinePath(slice, CellGrid::kSolidVoxel, crop));

@@ -6,7 +6,9 @@
   const stages = [["cull_ms", "cull"], ["warp_ms", "warp"], ["composite_ms", "composite"], ["draw_ms", "draw"]];
   const byId = (id) => document.getElementById(id);
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const methodColor = (method) => css(`--c${methods.indexOf(method) % 7}`);
+  // A method has its colour in every report.
+  const known = ["geometry", "raycast", "culling", "ldi", "texture", "warp", "warp2"];
+  const methodColor = (method) => css(`--c${Math.max(known.indexOf(method), 0)}`);
   const stageColor = (index) => css(`--c${[0, 3, 4, 2][index]}`);
 
   const element = (tag, text, attributes = {}) => {
@@ -71,7 +73,10 @@
   const charts = [];
   const shown = new Set(methods);
 
+  let pointed = 0;
+
   function pointAt(frame) {
+    pointed = frame;
     for (const chart of charts) chart.read(frame);
     showPictures(frame);
   }
@@ -90,15 +95,7 @@
       ...look(), legend: "never", strokeWidth: 1.5, includeZero: true, animatedZooms: false, labelsKMB: decimals === 0,
       highlightCircleSize: 3, xlabel: "frame", ylabel: unit, axes: { y: { axisLabelWidth: 48 } }, ...options,
       highlightCallback: (_event, x) => pointAt(x),
-      drawCallback: (g, first) => { if (!first && !g.following) follow(g); } });
-    const follow = (g) => {
-      const range = g.isZoomed("x") ? g.xAxisRange() : null;
-      const key = String(range);
-      if (g.lastRange === key) return;
-      for (const chart of charts) { chart.graph.lastRange = key; }
-      zoomAll(g, range);
-    };
-    graph.lastRange = "null";
+      zoomCallback: () => zoomAll(graph, graph.isZoomed("x") ? graph.xAxisRange() : null) });
     charts.push({ graph,
       read(frame) {
         reading.textContent = "";
@@ -111,7 +108,7 @@
         }
         if (graph.getSelection() !== frame) graph.setSelection(frame);
       },
-      refresh() { lines = linesOf(); graph.updateOptions({ file: rows(), ...look() }); } });
+      refresh() { lines = linesOf(); graph.updateOptions({ file: rows(), ...look() }); this.read(pointed); } });
   }
   const byMethod = (column) => () => methods.filter((m) => series[m][column])
     .map((m) => [m, series[m][column], methodColor(m), shown.has(m)]);
@@ -196,7 +193,7 @@
     addMethodChart("psnr", "psnr_db", "dB", 2, { includeZero: false });
     addMethodChart("uncovered", "uncovered_percent", "%", 3);
   }
-  if (charts.length > 0) pointAt(0);
+  if (charts.length > 0) pointAt(pointed);
   paintDots();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { refreshAll(); paintDots(); });
 })();
