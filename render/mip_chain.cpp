@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
+#include "render/texel_words.h"
+
 namespace enfilade {
 namespace {
 
@@ -51,18 +53,34 @@ glm::vec4 mean(const Image& image, const Taps& across, const Taps& down) {
   return plain.a > 0.0f ? glm::vec4(by_alpha / plain.a, plain.a) : plain;
 }
 
+/// The mean of 2 × 2 opaque texels from `upper` and `lower` on; false where they are not opaque.
+bool storeOpaqueMean(const std::uint8_t* upper, const std::uint8_t* lower,
+                     std::uint8_t* out) noexcept {
+  if ((upper[3] & upper[7] & lower[3] & lower[7]) != 255) return false;
+  const std::uint64_t sum =
+      texelWord(upper) + texelWord(upper + 4) + texelWord(lower) + texelWord(lower + 4);
+  storeTexelWord((sum + 0x0002000200020002ULL) >> 2 & 0x00ff00ff00ff00ffULL, out);
+  return true;
+}
+
 Image halved(const Image& image) {
   Image smaller;
   smaller.width = std::max(1, image.width / 2);
   smaller.height = std::max(1, image.height / 2);
-  smaller.rgba.reserve(4 * static_cast<std::size_t>(smaller.width) *
-                       static_cast<std::size_t>(smaller.height));
+  smaller.rgba.resize(4 * static_cast<std::size_t>(smaller.width) *
+                      static_cast<std::size_t>(smaller.height));
+  const bool even = image.width % 2 == 0 && image.height % 2 == 0;
+  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+  std::uint8_t* out = smaller.rgba.data();
   for (int y = 0; y < smaller.height; ++y) {
     const Taps down = tapsOf(y, image.height, smaller.height);
-    for (int x = 0; x < smaller.width; ++x) {
+    const std::uint8_t* upper = &image.rgba[row * static_cast<std::size_t>(down.first)];
+    for (int x = 0; x < smaller.width; ++x, out += 4) {
+      const std::uint8_t* left = upper + 8 * static_cast<std::size_t>(x);
+      if (even && storeOpaqueMean(left, left + row, out)) continue;
       const glm::vec4 t = mean(image, tapsOf(x, image.width, smaller.width), down);
       for (int c = 0; c < 4; ++c) {
-        smaller.rgba.push_back(static_cast<std::uint8_t>(std::clamp(t[c] + 0.5f, 0.0f, 255.0f)));
+        out[c] = static_cast<std::uint8_t>(std::clamp(t[c] + 0.5f, 0.0f, 255.0f));
       }
     }
   }

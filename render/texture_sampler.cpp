@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "render/mip_chain.h"
+#include "render/texel_words.h"
 
 namespace enfilade {
 namespace {
@@ -17,15 +17,6 @@ int wrapped(int i, int size, Wrap wrap) noexcept {
   const int rest = i % period;
   const int positive = rest < 0 ? rest + period : rest;
   return positive < size ? positive : period - 1 - positive;
-}
-
-/// The four channels of a texel in the four 16-bit parts of a word.
-std::uint64_t spread(const std::uint8_t* texel) noexcept {
-  std::uint32_t packed = 0;
-  std::memcpy(&packed, texel, sizeof(packed));
-  std::uint64_t wide = packed;
-  wide = (wide | wide << 16) & 0x0000ffff0000ffffULL;
-  return (wide | wide << 8) & 0x00ff00ff00ff00ffULL;
 }
 
 glm::vec4 channels(std::uint64_t wide, float scale) noexcept {
@@ -47,8 +38,9 @@ glm::vec4 nearest(const Image& image, const Material& material, const glm::vec2&
   const int y =
       wrapped(floorToInt(uv.y * static_cast<float>(image.height)), image.height, material.wrap_t);
   return channels(
-      spread(&image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                              static_cast<std::size_t>(x))]),
+      texelWord(
+          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x))]),
       1.0f);
 }
 
@@ -73,9 +65,9 @@ glm::vec4 linear(const Image& image, const Material& material, const glm::vec2& 
       width * static_cast<std::size_t>(wrapped(top + 1, image.height, material.wrap_t));
   const std::uint8_t* texels = image.rgba.data();
   const std::uint64_t upper =
-      between(spread(texels + 4 * (row0 + x0)), spread(texels + 4 * (row0 + x1)), across);
+      between(texelWord(texels + 4 * (row0 + x0)), texelWord(texels + 4 * (row0 + x1)), across);
   const std::uint64_t lower =
-      between(spread(texels + 4 * (row1 + x0)), spread(texels + 4 * (row1 + x1)), across);
+      between(texelWord(texels + 4 * (row1 + x0)), texelWord(texels + 4 * (row1 + x1)), across);
   return channels((256 - down) * upper + down * lower, 1.0f / 256.0f);
 }
 
