@@ -24,12 +24,17 @@ struct Reconstruction {
   static constexpr float kCrackDepth = 1.05f;     ///< ratio by which a crack's sides are nearer
 };
 
-/// The part of a warp buffer that is being warped into: the region's rows, its columns in
-/// target.spans.
+/// The part of a warp buffer that is being warped into: the region's rows, the columns [left,
+/// right) that hold it; of each row its own columns are in target.spans.
 struct RegionOfBuffer {
   WarpBuffer& target;
   RowRange rows;
+  int left = 0;
+  int right = 0;
 };
+
+/// The pixels of a convex polygon in `target`, whose spans are set.
+RegionOfBuffer regionOf(std::span<const glm::vec2> polygon, WarpBuffer& target) noexcept;
 
 void clearRegion(const RegionOfBuffer& region) noexcept;
 
@@ -37,7 +42,7 @@ void clearRegion(const RegionOfBuffer& region) noexcept;
 void addSamples(const RegionOfBuffer& region, const WarpedBatch& batch,
                 std::span<const LdiSample> samples) noexcept;
 
-/// Turns what was added into colours, and counts the region's pixels.
-void resolveRegion(const RegionOfBuffer& region, WarpCounts& counts) noexcept;
+/// Turns what was added to `rows` of the region into colours, and counts their pixels.
+void resolveRegion(const RegionOfBuffer& region, RowRange rows, WarpCounts& counts) noexcept;
 
 }  // namespace enfilade

@@ -83,14 +83,16 @@ TileClip::TileClip(std::span<const glm::vec2> region) noexcept {
   }
 }
 
-bool TileClip::mayReach(const LdiTile& tile, const TileTransform& transform) const noexcept {
+RowsReached TileClip::rowsReached(const LdiTile& tile,
+                                  const TileTransform& transform) const noexcept {
+  constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+  constexpr float kBesideTheEye = 1e-4f;
   const Corners corners = cornersOf(tile, transform);
   if (corners.greatest_w <= 0.0f) {
-    return false;  // all behind the eye
+    return {};  // all behind the eye
   }
-  constexpr float kBesideTheEye = 1e-4f;
   if (!(corners.least_w > kBesideTheEye * corners.greatest_w)) {
-    return true;
+    return {-kEverywhere, kEverywhere};
   }
   const float reach = reachOf(tile, transform, corners);
   for (std::size_t i = 0; i < count_; ++i) {
@@ -100,10 +102,15 @@ bool TileClip::mayReach(const LdiTile& tile, const TileTransform& transform) con
       return edge.x * p.x + edge.y * p.y + edge.z < -margin;
     });
     if (outside) {
-      return false;
+      return {};
     }
   }
-  return true;
+  RowsReached rows{kEverywhere, -kEverywhere};
+  for (const glm::vec2& corner : corners.at) {
+    rows.top = std::min(rows.top, corner.y - reach);
+    rows.bottom = std::max(rows.bottom, corner.y + reach);
+  }
+  return rows;
 }
 
 }  // namespace enfilade

@@ -8,6 +8,14 @@
 
 namespace enfilade {
 
+/// Rows of a picture, from top to bottom.
+struct RowsReached {
+  float top = 0;
+  float bottom = -1;
+
+  bool empty() const noexcept { return !(top <= bottom); }
+};
+
 /// Tells which tiles of a layered depth image may fall into a region of the desired picture.
 /// Source: Popescu, Lastra, Aliaga & Oliveira, Efficient Warping for Architectural Walkthroughs
 /// Using Layered Depth Images, 1998, which clips columns by their least and greatest disparity.
@@ -16,9 +24,9 @@ class TileClip {
   /// `region`: a convex polygon in pixels, any winding.
   explicit TileClip(std::span<const glm::vec2> region) noexcept;
 
-  /// Whether a sample of the tile may touch a pixel of the region.  Conservative: never no where
-  /// one does.
-  bool mayReach(const LdiTile& tile, const TileTransform& transform) const noexcept;
+  /// The rows [pixels] that samples of the tile may touch, if they may touch the region at all;
+  /// empty() if not.  Conservative: never too few.
+  RowsReached rowsReached(const LdiTile& tile, const TileTransform& transform) const noexcept;
 
  private:
   static constexpr std::size_t kMostEdges = 16;

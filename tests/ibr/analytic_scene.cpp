@@ -1,6 +1,9 @@
 #include "analytic_scene.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "ibr/convex_region.h"
 
 namespace enfilade::testing {
 namespace {
@@ -118,40 +121,57 @@ Portal doorway() {
   return portal;
 }
 
-DepthImage castImage(const AnalyticScene& scene, const PlanarCamera& camera) {
+namespace {
+
+/// A picture of the sky without pixels that are known.
+DepthImage unknownImage(const PlanarCamera& camera) {
   DepthImage image;
   image.camera = camera;
   image.color.width = camera.width;
   image.color.height = camera.height;
+  const auto pixels =
+      static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  image.color.rgba.assign(4 * pixels, 255);
+  image.disparity.assign(pixels, 0.0f);
+  return image;
+}
+
+void setPixel(DepthImage& image, int x, int y, const AnalyticScene::Hit& hit) {
+  const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.camera.width) +
+                     static_cast<std::size_t>(x);
+  image.disparity[pixel] = hit.t > 0 ? static_cast<float>(1.0 / hit.t) : 1e-3f;
+  for (int c = 0; c < 3; ++c) {
+    image.color.rgba[4 * pixel + static_cast<std::size_t>(c)] =
+        static_cast<std::uint8_t>(hit.color[c] * 255.0 + 0.5);
+  }
+}
+
+glm::dvec3 rayOf(const PlanarCamera& camera, int x, int y) {
+  return camera.world_from_pixel * glm::dvec3(x + 0.5, y + 0.5, 1);
+}
+
+}  // namespace
+
+DepthImage castImage(const AnalyticScene& scene, const PlanarCamera& camera) {
+  DepthImage image = unknownImage(camera);
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      const glm::dvec3 ray = camera.world_from_pixel * glm::dvec3(x + 0.5, y + 0.5, 1);
-      const auto hit = scene.cast(camera.center, ray, 1.0);
-      image.disparity.push_back(hit.t > 0 ? static_cast<float>(1.0 / hit.t) : 1e-3f);
-      for (int c = 0; c < 3; ++c) {
-        image.color.rgba.push_back(static_cast<std::uint8_t>(hit.color[c] * 255.0 + 0.5));
-      }
-      image.color.rgba.push_back(255);
+      setPixel(image, x, y, scene.cast(camera.center, rayOf(camera, x, y), 1.0));
     }
   }
   return image;
 }
 
-DepthImage castThroughDoorway(const AnalyticScene& scene, const PlanarCamera& camera) {
-  DepthImage image;
-  image.camera = camera;
-  image.color.width = camera.width;
-  image.color.height = camera.height;
+DepthImage castThroughDoorway(const AnalyticScene& scene, const PlanarCamera& camera,
+                              std::span<const glm::vec2> region) {
+  DepthImage image = unknownImage(camera);
+  std::vector<glm::ivec2> spans(static_cast<std::size_t>(camera.height), glm::ivec2(0));
+  fillConvexPolygon(region, camera.width, camera.height, spans);
   for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const glm::dvec3 ray = camera.world_from_pixel * glm::dvec3(x + 0.5, y + 0.5, 1);
-      const double plane = -camera.center.z / ray.z;  // where the ray meets z = 0
-      const auto hit = scene.cast(camera.center, ray, plane > 0 ? plane : 1e9);
-      image.disparity.push_back(hit.t > 0 ? static_cast<float>(1.0 / hit.t) : 1e-3f);
-      for (int c = 0; c < 3; ++c) {
-        image.color.rgba.push_back(static_cast<std::uint8_t>(hit.color[c] * 255.0 + 0.5));
-      }
-      image.color.rgba.push_back(255);
+    const glm::ivec2 span = spans[static_cast<std::size_t>(y)];
+    for (int x = span.x; x < span.y; ++x) {
+      const glm::dvec3 ray = rayOf(camera, x, y);
+      setPixel(image, x, y, scene.cast(camera.center, ray, -camera.center.z / ray.z));
     }
   }
   return image;

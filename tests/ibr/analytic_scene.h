@@ -1,7 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "ibr/depth_image.h"
@@ -38,8 +38,9 @@ Portal doorway();
 /// What `camera` sees of what lies beyond its image plane.
 DepthImage castImage(const AnalyticScene& scene, const PlanarCamera& camera);
 
-/// The picture from `eye` looking at `target`, 640 × 512 or any size, of the room beyond z = 0
-/// alone.
-DepthImage castThroughDoorway(const AnalyticScene& scene, const PlanarCamera& camera);
+/// What `camera` sees of what lies beyond the plane z = 0, in the pixels of `region`; δ = 0 in the
+/// others.
+DepthImage castThroughDoorway(const AnalyticScene& scene, const PlanarCamera& camera,
+                              std::span<const glm::vec2> region);
 
 }  // namespace enfilade::testing

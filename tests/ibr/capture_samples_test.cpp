@@ -125,8 +125,8 @@ TEST(PatchArea, IsTheAreaBetweenThePixelsCorners) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const PlanarCamera camera = frontalCamera(300, 200);
   for (int i = 0; i < 100; ++i) {
-    const auto plane = planeDisparity(
-        camera, {0.4 * uniform(random), 0.4 * uniform(random), 1.0}, 2.0 + uniform(random));
+    const auto plane = planeDisparity(camera, {0.4 * uniform(random), 0.4 * uniform(random), 1.0},
+                                      2.0 + uniform(random));
     const double u = 150 + 100 * uniform(random);
     const double v = 100 + 80 * uniform(random);
     CaptureSample s;
@@ -139,9 +139,8 @@ TEST(PatchArea, IsTheAreaBetweenThePixelsCorners) {
       return unprojectPoint(camera, {u + du, v + dv, plane(u + du, v + dv)});
     };
     // Both diagonals of the patch span twice its area.
-    const double area =
-        0.5 * glm::length(glm::cross(corner(0.5, 0.5) - corner(-0.5, -0.5),
-                                     corner(-0.5, 0.5) - corner(0.5, -0.5)));
+    const double area = 0.5 * glm::length(glm::cross(corner(0.5, 0.5) - corner(-0.5, -0.5),
+                                                     corner(-0.5, 0.5) - corner(0.5, -0.5)));
     EXPECT_NEAR(patchArea(camera, s) / area, 1.0, 1e-3);
   }
 }

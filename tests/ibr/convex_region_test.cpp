@@ -82,7 +82,8 @@ TEST(ConvexRegion, SharesNoPixelBetweenTheTwoHalvesOfAPolygon) {
   // Edges through pixel centres, where both halves could claim them.
   const std::vector<glm::vec2> whole = {{2.5f, 3.5f}, {20.5f, 3.5f}, {20.5f, 21.5f}, {2.5f, 21.5f}};
   const std::vector<bool> all = filled(whole);
-  const std::vector<bool> left = filled({{2.5f, 3.5f}, {10.5f, 3.5f}, {10.5f, 21.5f}, {2.5f, 21.5f}});
+  const std::vector<bool> left =
+      filled({{2.5f, 3.5f}, {10.5f, 3.5f}, {10.5f, 21.5f}, {2.5f, 21.5f}});
   const std::vector<bool> right =
       filled({{10.5f, 3.5f}, {20.5f, 3.5f}, {20.5f, 21.5f}, {10.5f, 21.5f}});
   for (std::size_t i = 0; i < all.size(); ++i) {

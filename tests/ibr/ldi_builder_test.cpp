@@ -9,8 +9,8 @@ namespace {
 PlanarCamera cameraAt(const glm::dvec3& center, int pixels) {
   PlanarCamera camera;
   camera.center = center;
-  camera.world_from_pixel =
-      glm::dmat3({0.32 / pixels, 0, 0}, {0, -0.32 / pixels, 0}, glm::dvec3(-0.16, 0.16, 0) - center);
+  camera.world_from_pixel = glm::dmat3({0.32 / pixels, 0, 0}, {0, -0.32 / pixels, 0},
+                                       glm::dvec3(-0.16, 0.16, 0) - center);
   camera.width = camera.height = pixels;
   return camera;
 }
@@ -26,8 +26,7 @@ constexpr float kThreshold = 0.005f;
 /// view, coloured `color`, that `camera` saw.
 CaptureSamples sees(const PlanarCamera& camera, double x, double y, double disparity,
                     std::uint8_t color) {
-  const glm::dvec3 seen =
-      projectPoint(camera, unprojectPoint(kCentral, {x, y, disparity}));
+  const glm::dvec3 seen = projectPoint(camera, unprojectPoint(kCentral, {x, y, disparity}));
   CaptureSample sample;
   sample.u = static_cast<float>(seen.x);
   sample.v = static_cast<float>(seen.y);

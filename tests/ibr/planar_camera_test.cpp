@@ -52,7 +52,8 @@ TEST_F(PlanarCameraTest, SeesAPointAtThePixelWhereOpenGlDrawsIt) {
     const double scale = 1.0 + glm::length(glm::dvec2(x, y));
     EXPECT_NEAR(seen.x, x, 2e-5 * scale);
     EXPECT_NEAR(seen.y, y, 2e-5 * scale);
-    EXPECT_NEAR(seen.z * static_cast<double>(clip.w) / static_cast<double>(c.near_plane), 1.0, 1e-4);
+    EXPECT_NEAR(seen.z * static_cast<double>(clip.w) / static_cast<double>(c.near_plane), 1.0,
+                1e-4);
   }
 }
 
@@ -69,7 +70,8 @@ TEST_F(PlanarCameraTest, HasDisparityOneOnItsImagePlaneAndLessBeyond) {
   const PlanarCamera planar = offAxis();
   const glm::dvec3 on_plane = planar.center + planar.world_from_pixel * glm::dvec3(3, 4, 1);
   EXPECT_NEAR(projectPoint(planar, on_plane).z, 1.0, 1e-12);
-  EXPECT_NEAR(projectPoint(planar, planar.center + 4.0 * (on_plane - planar.center)).z, 0.25, 1e-12);
+  EXPECT_NEAR(projectPoint(planar, planar.center + 4.0 * (on_plane - planar.center)).z, 0.25,
+              1e-12);
   EXPECT_LT(projectPoint(planar, planar.center - (on_plane - planar.center)).z, 0.0);
   EXPECT_NEAR(imagePlaneDistance(planar),
               glm::length(glm::dot(on_plane - planar.center,

@@ -33,7 +33,8 @@ TEST(Viewpoints, StandOnASemicircleBeforeThePortalAtEyeHeight) {
     for (const glm::dvec3& at : viewpoints) {
       EXPECT_NEAR(glm::length(glm::dvec2(at.x - 3, at.z + 2)), 1.5, 1e-6);
       EXPECT_NEAR(at.y, 2.1, 1e-6);
-      EXPECT_GT(side * glm::dot(glm::dvec3(portal.plane.normal), at - glm::dvec3(3, 0.5, -2)), 0.38);
+      EXPECT_GT(side * glm::dot(glm::dvec3(portal.plane.normal), at - glm::dvec3(3, 0.5, -2)),
+                0.38);
     }
     // The central one in the middle, the outermost at 75°, from left to right.
     const glm::dvec3 normal = side * glm::dvec3(portal.plane.normal);
