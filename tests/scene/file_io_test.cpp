@@ -1,7 +1,10 @@
 #include "scene/file_io.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+
+#include <csignal>
 
 #include "scene_test_tools.h"
 
@@ -64,6 +67,23 @@ TEST(WriteFileAtomically, LeavesNothingBehindWhenItFails) {
               folder / "taken", "is a directory");
   expectError([&] { writeFileAtomically(folder / "no/x", std::string("x")); }, ErrorKind::kMachine,
               folder / "no/x", "No such file or directory");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, KeepsTheOldContentWhenTheNewDoesNotFit) {
+  const TempFolder folder;
+  folder.file("x", "old");
+  // A limit on the size of files does what a full disk would.
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old_limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const rlimit limit{1000, old_limit.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  expectError([&] { writeFileAtomically(folder / "x", std::string(5000, 'n')); },
+              ErrorKind::kMachine, folder / "x", "File too large");
+  ::setrlimit(RLIMIT_FSIZE, &old_limit);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(textOf(folder / "x"), "old");
   EXPECT_EQ(filesIn(folder.path()), 1u);
 }
 

@@ -169,8 +169,11 @@ TEST(GltfWriter, KeepsTransformsThroughDeepHierarchies) {
     world = glm::translate(world, 20.0f * glm::vec3(uniform(random), uniform(random), 1));
     world =
         glm::rotate(world, uniform(random), glm::normalize(glm::vec3(uniform(random), 1, 0.5f)));
-    building.nodes.push_back(
-        {.name = std::to_string(n), .parent = n == 0 ? kNone : n - 1, .world_from_node = world});
+    // Every other node stands upright: its zeros must come back as zeros.
+    const glm::mat4 upright = glm::translate(glm::mat4(1), {0, n, 0});
+    building.nodes.push_back({.name = std::to_string(n),
+                              .parent = n == 0 ? kNone : n - 1,
+                              .world_from_node = n % 2 == 0 ? world : upright});
     building.objects.push_back({n, 0});
   }
   const TempFolder folder;

@@ -4,6 +4,7 @@
 
 #include "scene/gltf_reader.h"
 #include "scene/gltf_writer.h"
+#include "scene_test_tools.h"
 
 namespace enfilade {
 namespace {
@@ -28,6 +29,26 @@ TEST_P(RealModels, HaveTheTrianglesAndTheSizeThatTheirReadmeStates) {
   EXPECT_EQ(triangleCount(building), GetParam().triangles);
   const glm::vec3 size = worldBounds(building).size();
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(size[i], GetParam().size[i], 0.5f) << "axis " << i;
+}
+
+TEST_P(RealModels, AreTheSameAfterWritingAndReading) {
+  const Building a = readGltf(file_);
+  const TempFolder folder;
+  const std::vector<std::uint8_t> bytes = encodeGlb(a);
+  const Building b = readGltf(folder.file("copy.glb", bytes));
+  EXPECT_EQ(encodeGlb(b), bytes);
+  ASSERT_EQ(b.nodes.size(), a.nodes.size());
+  for (std::size_t n = 0; n < a.nodes.size(); ++n) {
+    EXPECT_EQ(b.nodes[n].name, a.nodes[n].name);
+    EXPECT_EQ(b.nodes[n].world_from_node, a.nodes[n].world_from_node) << n;
+  }
+  ASSERT_EQ(b.objects.size(), a.objects.size());
+  for (std::size_t o = 0; o < a.objects.size(); ++o) {
+    EXPECT_EQ(b.objects[o].node, a.objects[o].node);
+    EXPECT_EQ(b.meshOf(b.objects[o]).indices, a.meshOf(a.objects[o]).indices);
+    EXPECT_EQ(b.vertex_arrays[b.meshOf(b.objects[o]).vertices].positions,
+              a.vertex_arrays[a.meshOf(a.objects[o]).vertices].positions);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
