@@ -52,13 +52,18 @@ fs::path insideFolder(const std::string& model_file, const std::string& uri) {
   const std::string shown = "\"" + oneLine(uri) + "\"";
   if (isAddress(uri))
     fail(model_file, shown + " is an address; only files beside the model are read");
-  const std::string decoded = percentDecoded(uri);
+  std::string decoded = percentDecoded(uri);
   if (decoded.empty() || decoded.find('\0') != std::string::npos) {
     fail(model_file, shown + " is no file name");
   }
   std::error_code error;
   fs::path parent = fs::path(model_file).parent_path();
   const fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
+  // Some exporters write the other system's separator.
+  if (!error && !fs::exists(folder / decoded, error)) {
+    std::replace(decoded.begin(), decoded.end(), '\\', '/');
+    error.clear();
+  }
   const fs::path path = error ? fs::path() : fs::weakly_canonical(folder / decoded, error);
   if (error) fail(model_file, shown + " cannot be found: " + error.message());
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());

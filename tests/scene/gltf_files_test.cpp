@@ -53,6 +53,12 @@ TEST_F(GltfFiles, MayStandBesideTheModelUnderPercentEncodedNames) {
   expectWhole(readGltf(gltf(), &warnings_));
 }
 
+TEST_F(GltfFiles, AreFoundBehindBackslashes) {
+  folder_.file("models/pictures/a.png", png_);
+  pictureFrom("pictures\\a.png");
+  expectWhole(readGltf(gltf(), &warnings_));
+}
+
 TEST_F(GltfFiles, AreFoundWhateverTheWorkingFolderIs) {
   folder_.file("models/b.bin", builder_.bin);
   bufferFrom("b.bin");
@@ -81,7 +87,7 @@ TEST_F(GltfFiles, AreRejectedOutsideTheModelsFolder) {
   folder_.file("secret.bin", builder_.bin);
   folder_.file("secret.png", png_);
   for (const std::string uri : {"../secret.bin", "%2e%2e/secret.bin", "x/../../secret.bin",
-                                "..%2Fsecret.bin", "../models-not/secret.bin"}) {
+                                "..%2Fsecret.bin", "..\\secret.bin", "../models-not/secret.bin"}) {
     bufferFrom(uri);
     expectBad("lies outside the model's own folder");
   }
