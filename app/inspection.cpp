@@ -2,46 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+
+#include "app/mesh_closure.h"
 
 namespace enfilade {
 
 namespace {
 
-bool isDegenerate(const std::vector<glm::vec3>& positions, const std::uint32_t* triangle) {
-  const glm::dvec3 a = positions[triangle[0]], b = positions[triangle[1]],
-                   c = positions[triangle[2]];
-  return glm::cross(b - a, c - a) == glm::dvec3(0);
-}
-
-std::size_t degenerateTriangles(const Building& building) {
-  std::size_t count = 0;
-  for (const Mesh& mesh : building.meshes) {
-    const auto& positions = building.vertex_arrays[mesh.vertices].positions;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      count += isDegenerate(positions, &mesh.indices[i]);
-    }
-  }
-  return count;
-}
-
-/// "IfcDoor" of "IfcDoor/Name/Id"; empty for another name.
-std::string ifcClass(const std::string& name) {
-  if (!name.starts_with("Ifc")) return {};
-  return name.substr(0, name.find_first_of("/ :"));
+/// "IfcDoor" of "IfcDoor/Name/Id"; empty for a name without such a beginning.
+std::string kindOf(const std::string& name) {
+  const std::size_t end = name.find_first_of("/:");
+  return end == std::string::npos ? std::string() : name.substr(0, end);
 }
 
 void countNodes(const Building& building, BuildingFacts& facts) {
-  std::map<std::string, std::size_t> classes;
+  std::map<std::string, std::size_t> kinds;
   for (const Node& node : building.nodes) {
     facts.rooms_named +=
         node.name.ends_with("-room") || node.extras.find("\"cell\"") != std::string::npos;
     facts.portals_named += node.name.find("-portal") != std::string::npos ||
                            node.extras.find("\"portal\"") != std::string::npos;
-    const std::string ifc = ifcClass(node.name);
-    if (!ifc.empty()) ++classes[ifc];
+    const std::string kind = kindOf(node.name);
+    if (!kind.empty()) ++kinds[kind];
   }
-  facts.classes.assign(classes.begin(), classes.end());
+  facts.kinds.assign(kinds.begin(), kinds.end());
 }
 
 void noteSize(const BuildingFacts& facts, std::vector<std::string>& problems) {
@@ -74,7 +60,7 @@ BuildingFacts describeBuilding(const Building& building) {
   for (const TextureImage& image : building.images)
     facts.image_pixels += image.image.rgba.size() / 4;
   facts.bounds = worldBounds(building);
-  facts.degenerate = degenerateTriangles(building);
+  for (const Mesh& mesh : building.meshes) facts.closed_meshes += isClosed(building, mesh);
   countNodes(building, facts);
   return facts;
 }
@@ -82,9 +68,6 @@ BuildingFacts describeBuilding(const Building& building) {
 std::vector<std::string> buildingProblems(const BuildingFacts& facts) {
   std::vector<std::string> problems;
   noteSize(facts, problems);
-  if (facts.degenerate > 0) {
-    problems.push_back(fmt::format("{} triangles without area", facts.degenerate));
-  }
   if (facts.rooms_named == 0 && facts.portals_named > 0) {
     problems.push_back(fmt::format("{} portals are named but no room", facts.portals_named));
   }

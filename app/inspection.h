@@ -12,13 +12,14 @@ namespace enfilade {
 struct BuildingFacts {
   std::size_t triangles = 0;  ///< over all objects
   std::size_t objects = 0, meshes = 0, nodes = 0;
+  std::size_t closed_meshes = 0;  ///< every edge of which joins two triangles
   std::size_t materials = 0, masked = 0, blended = 0, double_sided = 0;
   std::size_t images = 0, image_pixels = 0;
   Box bounds;                     ///< [m]
-  std::size_t degenerate = 0;     ///< triangles without area, in meshes
   std::size_t rooms_named = 0;    ///< nodes named NAME-room, or with extras that say so
   std::size_t portals_named = 0;  ///< nodes named NAME-portal, or with extras that say so
-  std::vector<std::pair<std::string, std::size_t>> classes;  ///< nodes by IFC class, where named so
+  /// How many nodes have a name that begins so, up to a '/' or ':', as IFC converters write them.
+  std::vector<std::pair<std::string, std::size_t>> kinds;
 };
 
 BuildingFacts describeBuilding(const Building& building);

@@ -24,6 +24,7 @@ Json buildingJson(const BuildingFacts& f) {
   Json json{{"triangles", f.triangles},
             {"objects", f.objects},
             {"meshes", f.meshes},
+            {"closed_meshes", f.closed_meshes},
             {"nodes", f.nodes},
             {"materials",
              {{"count", f.materials},
@@ -32,11 +33,10 @@ Json buildingJson(const BuildingFacts& f) {
               {"double_sided", f.double_sided}}},
             {"images", {{"count", f.images}, {"pixels", f.image_pixels}}},
             {"bounds", boxJson(f.bounds)},
-            {"degenerate_triangles", f.degenerate},
             {"rooms_named", f.rooms_named},
             {"portals_named", f.portals_named}};
-  json["ifc_classes"] = Json::object();
-  for (const auto& [name, count] : f.classes) json["ifc_classes"][name] = count;
+  json["node_kinds"] = Json::object();
+  for (const auto& [name, count] : f.kinds) json["node_kinds"][name] = count;
   return json;
 }
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "app/inspection.h"
 #include "app/portal_size.h"
 
@@ -24,8 +27,10 @@ std::string list(const char* title, const std::vector<std::string>& lines) {
 
 std::string buildingText(const BuildingFacts& f) {
   const glm::vec3 size = f.bounds.size();
-  std::string text = fmt::format("  triangles  {} in {} objects of {} meshes\n",
-                                 grouped(f.triangles), grouped(f.objects), grouped(f.meshes));
+  std::string text =
+      fmt::format("  triangles  {} in {} objects\n", grouped(f.triangles), grouped(f.objects));
+  text += fmt::format("  meshes     {}, {} of them closed\n", grouped(f.meshes),
+                      grouped(f.closed_meshes));
   text += fmt::format("  materials  {}: {} masked, {} blended, {} double-sided\n", f.materials,
                       f.masked, f.blended, f.double_sided);
   text += fmt::format("  images     {}, {:.1f} megapixels\n", f.images,
@@ -43,13 +48,35 @@ std::string problemsText(const std::vector<std::string>& problems) {
   return list("what looks wrong", problems);
 }
 
+/// The commonest beginnings of the nodes' names, the most of them first.
+std::string kindsText(const BuildingFacts& facts) {
+  auto kinds = facts.kinds;
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (kinds.size() > 12) kinds.resize(12);
+  std::string text;
+  for (const auto& [name, count] : kinds) text += fmt::format(", {} {}", count, name);
+  return text.empty() ? text : "  nodes      " + text.substr(2) + "\n";
+}
+
+/// Patterns for the kinds of node that speak of `word`, joined by commas.
+std::string patternsFor(const BuildingFacts& facts, const std::string& word) {
+  std::string patterns;
+  for (const auto& [name, count] : facts.kinds) {
+    std::string lower = name;
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (lower.find(word) == std::string::npos || name.find('\'') != std::string::npos) continue;
+    patterns += (patterns.empty() ? "" : ",") + name + "*";
+  }
+  return patterns;
+}
+
 /// What to say to `enfilade preprocess`, as far as the names tell.
 std::string hint(const std::string& file, const BuildingFacts& facts) {
   std::string options;
-  for (const auto& [name, count] : facts.classes) {
-    if (name == "IfcDoor") options += " --doors 'IfcDoor*'";
-    if (name == "IfcWindow") options += " --windows 'IfcWindow*'";
-  }
+  const std::string doors = patternsFor(facts, "door"), windows = patternsFor(facts, "window");
+  if (!doors.empty()) options += " --doors '" + doors + "'";
+  if (!windows.empty()) options += " --windows '" + windows + "'";
   return fmt::format("to find its cells and portals:\n  enfilade preprocess {} -o HOUSE{}\n", file,
                      options);
 }
@@ -95,9 +122,7 @@ std::string modelText(const std::string& file, const Building& building,
   text += buildingText(facts);
   text +=
       fmt::format("  named      {} rooms, {} portals\n", facts.rooms_named, facts.portals_named);
-  std::string classes;
-  for (const auto& [name, count] : facts.classes) classes += fmt::format(" {} {},", count, name);
-  if (!classes.empty()) text += "  IFC       " + classes.substr(0, classes.size() - 1) + "\n";
+  text += kindsText(facts);
   return text + problemsText(problems) + hint(file, facts);
 }
 

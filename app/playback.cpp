@@ -69,15 +69,16 @@ std::string frameFile(Method method, std::size_t frame) {
 std::vector<FrameRecord> playBack(FramePainter& painter, const CameraPath& path,
                                   const Camera& camera, const PlaybackParameters& parameters,
                                   const ProgressSink& progress) {
-  std::vector<FrameRecord> records;
-  records.reserve(parameters.methods.size() * path.poses.size());
-  for (const Method method : parameters.methods) {
-    timeFrames(painter, method, path, camera, parameters.warm_up, progress, records);
-  }
+  // Before the long work, so that a folder that cannot be written is known at once.
   if (!parameters.frames_dir.empty()) {
     for (const Method method : parameters.methods) {
       createFolders(parameters.frames_dir + "/" + infoOf(method).name);
     }
+  }
+  std::vector<FrameRecord> records;
+  records.reserve(parameters.methods.size() * path.poses.size());
+  for (const Method method : parameters.methods) {
+    timeFrames(painter, method, path, camera, parameters.warm_up, progress, records);
   }
   if (parameters.quality || !parameters.frames_dir.empty()) {
     lookAtFrames(painter, path, camera, parameters, progress, records);

@@ -1,0 +1,187 @@
+// The built program's main job from end to end, on a small model: preprocess, inspect, tour, play.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "scene/camera_path.h"
+#include "scene/gltf_writer.h"
+#include "tests/app/run_program.h"
+#include "tests/app/temporary_folder.h"
+#include "tests/app/two_room_house.h"
+
+namespace enfilade {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+class WholeJob : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    here_ = std::make_unique<TemporaryFolder>();
+    writeGlb(*here_ / "model.glb", twoRoomHouse().building);
+    preprocessed_ = run({"preprocess", "model.glb", "-o", "house", "--image-size", "32",
+                         "--captures", "3", "--sight-lines", "5000", "-j", "2"});
+    toured_ = run({"tour", "house", "-o", "tour.json", "--frames", "12", "-q"});
+    played_ = run({"play", "house", "--tour", "tour.json", "--methods",
+                   "geometry,raycast,culling,ldi", "--size", "80x64", "--quality", "--frames-dir",
+                   "frames", "--threads", "2", "-o", "report"});
+  }
+  static void TearDownTestSuite() { here_.reset(); }
+
+  static ProgramResult run(const Arguments& arguments) {
+    return runEnfilade(arguments, here_->path());
+  }
+  static std::string path(const std::string& name) { return *here_ / name; }
+
+  /// Every file below a folder by its path there, with its bytes.
+  static std::map<std::string, std::string> bytesBelow(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
+      if (!entry.is_regular_file()) continue;
+      files[fs::relative(entry.path(), path(folder)).string()] = textOf(entry.path().string());
+    }
+    return files;
+  }
+
+  static std::unique_ptr<TemporaryFolder> here_;
+  static ProgramResult preprocessed_, toured_, played_;
+};
+
+std::unique_ptr<TemporaryFolder> WholeJob::here_;
+ProgramResult WholeJob::preprocessed_, WholeJob::toured_, WholeJob::played_;
+
+TEST_F(WholeJob, EveryStepSucceeds) {
+  EXPECT_EQ(preprocessed_.status, 0) << preprocessed_.errors;
+  EXPECT_EQ(toured_.status, 0) << toured_.errors;
+  EXPECT_EQ(played_.status, 0) << played_.errors;
+}
+
+TEST_F(WholeJob, PreprocessingSaysItsStagesOnStderrAndItsResultOnStdout) {
+  EXPECT_NE(preprocessed_.errors.find("voxelise"), std::string::npos) << preprocessed_.errors;
+  EXPECT_EQ(preprocessed_.errors.find('\r'), std::string::npos) << "a bar without a terminal";
+  EXPECT_TRUE(preprocessed_.output.starts_with("house: ")) << preprocessed_.output;
+}
+
+TEST_F(WholeJob, InspectDescribesTheHouseAsJson) {
+  const ProgramResult result = run({"inspect", "house", "--json", "--plan", "plan.svg", "-q"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const Json json = Json::parse(result.output);
+  EXPECT_EQ(json["kind"], "house");
+  ASSERT_EQ(json["cells"].size(), 3u);
+  EXPECT_NEAR(json["cells"][1]["volume_m3"].get<double>(), 4 * 4 * 2.6, 6);
+  ASSERT_GE(json["portals"].size(), 1u);
+  EXPECT_NEAR(json["portals"][0]["width_m"].get<double>(), 1.0, 0.15);
+  EXPECT_NEAR(json["portals"][0]["height_m"].get<double>(), 2.1, 0.15);
+  EXPECT_EQ(json["model"]["name"], "model.glb");
+  const std::string plan = textOf(path("plan.svg"));
+  EXPECT_TRUE(plan.starts_with("<svg")) << plan.substr(0, 100);
+  for (std::size_t cell = 1; cell < 3; ++cell) {
+    EXPECT_NE(plan.find("<title>" + std::to_string(cell) + " "), std::string::npos) << cell;
+  }
+}
+
+TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
+  const CameraPath tour = readCameraPath(path("tour.json"));
+  EXPECT_EQ(tour.poses.size(), 12u);
+  ASSERT_EQ(run({"tour", "house", "-o", "t.txt", "--frames", "12", "--format", "tum", "-q"}).status,
+            0);
+  const CameraPath tum = readCameraPath(path("t.txt"));
+  ASSERT_EQ(tum.poses.size(), 12u);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_NEAR(glm::length(tum.poses[i].pose.position - tour.poses[i].pose.position), 0, 1e-4);
+  }
+}
+
+TEST_F(WholeJob, TheReportIsWhole) {
+  EXPECT_EQ(bytesBelow("report").size(), 3u);
+  const std::string csv = textOf(path("report/frames.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 12);
+  const Json summary = Json::parse(textOf(path("report/summary.json")));
+  EXPECT_EQ(summary["frames"], 12);
+  EXPECT_EQ(summary["size"], (Json{80, 64}));
+  EXPECT_EQ(summary["threads"], 2);
+  EXPECT_EQ(summary["methods"].size(), 4u);
+  EXPECT_EQ(summary["methods"]["culling"]["differing_percent"]["max"], 0);
+  EXPECT_GT(summary["methods"]["ldi"]["psnr_db"]["mean"], 20);
+  EXPECT_GT(summary["methods"]["ldi"]["portals_as_images"]["max"], 0)
+      << "no portal ever showed its image: the walk is too short to tell";
+  EXPECT_TRUE(summary["ratios"].contains("culling/ldi"));
+  const std::string page = textOf(path("report/report.html"));
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_NE(page.find("\"frames_dir\":\"../frames\""), std::string::npos);
+}
+
+TEST_F(WholeJob, StdoutEndsWithATableAndWhereTheReportIs) {
+  EXPECT_TRUE(played_.output.ends_with("report: report/report.html\n")) << played_.output;
+  for (const char* method : {"\ngeometry ", "\nraycast ", "\nculling ", "\nldi "}) {
+    EXPECT_NE(played_.output.find(method), std::string::npos) << played_.output;
+  }
+}
+
+TEST_F(WholeJob, EveryFrameIsKept) {
+  EXPECT_EQ(bytesBelow("frames").size(), 4u * 12u);
+  EXPECT_TRUE(fs::exists(path("frames/ldi/frame-00011.png")));
+}
+
+TEST_F(WholeJob, TheSamePixelsWithOneThreadAsWithTwo) {
+  const ProgramResult result = run(
+      {"play", "house", "--tour", "tour.json", "--methods", "geometry,raycast,culling,ldi",
+       "--size", "80x64", "--frames-dir", "frames-1", "--threads", "1", "-q", "-o", "report-1"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(bytesBelow("frames"), bytesBelow("frames-1"));
+}
+
+TEST_F(WholeJob, TheSameHouseWithOneThreadAsWithTwo) {
+  const ProgramResult result = run({"preprocess", "model.glb", "-o", "house-1", "--image-size",
+                                    "32", "--captures", "3", "--sight-lines", "5000", "-j", "1"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const auto files = bytesBelow("house"), again = bytesBelow("house-1");
+  ASSERT_EQ(files.size(), again.size());
+  for (const auto& [name, bytes] : files) {
+    EXPECT_TRUE(again.contains(name) && again.at(name) == bytes) << name;
+  }
+}
+
+TEST_F(WholeJob, AReportIsReplacedByTheNext) {
+  const Arguments play = {"play",   "house", "--tour", "tour.json", "--methods", "culling",
+                          "--size", "32x32", "-q",     "-o",        "twice"};
+  ASSERT_EQ(run(play).status, 0);
+  writeText(path("twice/note"), "of the first");
+  ASSERT_EQ(run(play).status, 0);
+  EXPECT_EQ(bytesBelow("twice").size(), 3u);
+}
+
+TEST_F(WholeJob, WithoutATourTheHousesOwnIsPlayed) {
+  const ProgramResult result = run({"play", "house", "--methods", "culling", "--size", "32x32",
+                                    "--warm-up", "0", "-q", "-o", "own"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(Json::parse(textOf(path("own/summary.json")))["frames"], 520);
+}
+
+TEST_F(WholeJob, TheSampleIsRaisedAtTheSizeAskedFor) {
+  ASSERT_EQ(run({"sample", "gallery", "-o", "gallery.glb", "--triangles", "50000"}).status, 0);
+  const ProgramResult result = run({"inspect", "gallery.glb", "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const Json json = Json::parse(result.output);
+  EXPECT_EQ(json["kind"], "model");
+  EXPECT_NEAR(json["building"]["triangles"].get<double>(), 50000, 10000);
+  EXPECT_GT(json["building"]["rooms_named"], 5);
+}
+
+TEST_F(WholeJob, HelpAndVersionAreResults) {
+  for (const char* command : {"sample", "inspect", "preprocess", "tour", "play"}) {
+    const ProgramResult help = run({command, "--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.errors, "");
+    EXPECT_NE(help.output.find("Example:\n  enfilade " + std::string(command)), std::string::npos);
+  }
+  EXPECT_EQ(run({"--version"}).output, "enfilade 0.1.0\n");
+}
+
+}  // namespace
+}  // namespace enfilade
