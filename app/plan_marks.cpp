@@ -1,0 +1,128 @@
+#include "app/plan_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/portal_size.h"
+
+namespace enfilade {
+
+namespace {
+
+constexpr const char* kKindColor[] = {"#0a7d4f", "#d1570b", "#1467c8"};  // by PortalKind
+
+/// The cell's name without that of its storey, which stands above the plan.
+std::string shortName(const CellGraph& graph, const Cell& cell) {
+  const std::string before = graph.storeys[static_cast<std::size_t>(cell.storey)].name + " ";
+  return cell.name.starts_with(before) ? cell.name.substr(before.size()) : cell.name;
+}
+
+}  // namespace
+
+std::string escapedXml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string outlinePath(const PlanSlice& slice, CellGrid::Label label, const PlanCrop& crop) {
+  std::string path;
+  for (const auto& loop : traceOutline(slice, label)) {
+    char command = 'M';
+    for (const glm::ivec2& corner : loop) {
+      const glm::vec2 p = crop.pixels(slice.origin.x + slice.voxel * static_cast<float>(corner.x),
+                                      slice.origin.y + slice.voxel * static_cast<float>(corner.y));
+      path += fmt::format("{}{:.1f} {:.1f}", command, p.x, p.y);
+      command = 'L';
+    }
+    path += 'Z';
+  }
+  return path;
+}
+
+std::string cellLabel(const PlanSlice& slice, const CellGraph& graph, CellId id,
+                      const PlanCrop& crop) {
+  const LabelPlace place = placeLabel(slice, static_cast<CellGrid::Label>(id));
+  const float area = static_cast<float>(place.squares) * slice.voxel * slice.voxel;
+  if (area < 0.5f) return {};
+  const glm::vec2 p = crop.pixels(slice.origin.x + slice.voxel * place.center.x,
+                                  slice.origin.y + slice.voxel * place.center.y);
+  const float width = kPlanScale * slice.voxel * place.width;
+  const float height = kPlanScale * slice.voxel * place.height;
+  std::string name = shortName(graph, graph.cells[id]);
+  const auto fit = [&] {
+    return std::min(width / (0.6f * static_cast<float>(std::max<std::size_t>(name.size(), 4))),
+                    height / 2.4f);
+  };
+  if (fit() < 6.0f) name = fmt::format("{}", id);
+  const float font = std::clamp(fit(), 5.0f, 14.0f);
+  std::string text =
+      fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.1f}\" text-anchor=\"middle\">{}",
+                  p.x, p.y, font, escapedXml(name));
+  if (height > 2.4f * font) {
+    text += fmt::format("<tspan x=\"{:.1f}\" dy=\"1.15em\" class=\"area\">{:.1f} m²</tspan>", p.x,
+                        area);
+  }
+  return text + "</text>\n";
+}
+
+std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop) {
+  const Portal& portal = graph.portals[id];
+  const glm::vec2 size = portalSize(portal);
+  const std::string title =
+      fmt::format("<title>{} {}: {} to {}, {:.2f} x {:.2f} m</title>", kindName(portal.kind), id,
+                  escapedXml(graph.cells[portal.front].name),
+                  escapedXml(graph.cells[portal.back].name), size.x, size.y);
+  const char* color = kKindColor[static_cast<std::size_t>(portal.kind)];
+  std::string points;
+  for (const glm::vec3& corner : portal.polygon) {
+    const glm::vec2 p = crop.pixels(corner.x, corner.z);
+    points += fmt::format("{:.1f},{:.1f} ", p.x, p.y);
+  }
+  const char* style = isLevel(portal) ? "stroke-width=\"2\" stroke-dasharray=\"6 4\""
+                                      : "stroke-width=\"5\" stroke-linejoin=\"round\"";
+  return fmt::format("<polygon points=\"{}\" fill=\"none\" stroke=\"{}\" {}>{}</polygon>\n", points,
+                     color, style, title);
+}
+
+std::string planFoot() {
+  std::string svg;
+  for (int metre = 0; metre < 5; ++metre) {
+    svg += fmt::format(
+        "<rect x=\"{:.1f}\" width=\"{:.1f}\" height=\"6\" fill=\"{}\" stroke=\"#1b1f24\"/>\n",
+        kPlanScale * static_cast<float>(metre), kPlanScale, metre % 2 == 0 ? "#1b1f24" : "#ffffff");
+  }
+  svg += fmt::format(
+      "<text y=\"22\" font-size=\"12\">0</text><text x=\"{:.1f}\" y=\"22\" font-size=\"12\">5 "
+      "m</text>\n",
+      5 * kPlanScale - 8);
+  float x = 0;
+  for (const PortalKind kind : {PortalKind::kOpening, PortalKind::kDoor, PortalKind::kWindow}) {
+    svg += fmt::format(
+        "<path d=\"M{:.0f} 36h22\" stroke=\"{}\" stroke-width=\"5\"/><text x=\"{:.0f}\" y=\"40\" "
+        "font-size=\"12\">{}</text>\n",
+        x, kKindColor[static_cast<std::size_t>(kind)], x + 28, kindName(kind));
+    x += 100;
+  }
+  return svg;
+}
+
+}  // namespace enfilade
