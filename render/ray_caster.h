@@ -34,7 +34,8 @@ struct RayHit {
 class RayCaster {
  public:
   /// `hidden`: one flag an object (not 0: hidden), or empty; hidden objects are not there (doors
-  /// while walking).  Keeps a reference to `building`.  Throws Error (kMachine).
+  /// while walking).  `threads` 0: as many as the machine has.  Keeps a reference to `building`.
+  /// Throws Error (kMachine).
   RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads);
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
