@@ -6,6 +6,8 @@ function(enfilade_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
   # GCC 12 warns of std::string's own operator+ at -O3 (GCC bug 105651).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+  # And of its copies, where headers are precompiled (GCC bug 105329).
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
   # The same pixels on every build: no fused multiply-add where the source has none.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
@@ -22,6 +24,10 @@ function(enfilade_library folder)
   add_library(enfilade::${folder} ALIAS enfilade_${folder})
   enfilade_compile_options(enfilade_${folder})
   target_include_directories(enfilade_${folder} PUBLIC ${PROJECT_SOURCE_DIR})
+  # Halves the time of a first build; every file still includes what it uses.
+  target_precompile_headers(enfilade_${folder} PRIVATE
+    <algorithm> <array> <cmath> <functional> <map> <memory> <set> <string> <vector>
+    <fmt/format.h> <glm/glm.hpp> <glm/gtc/quaternion.hpp>)
   list(TRANSFORM ARG_USES PREPEND enfilade::)
   target_link_libraries(enfilade_${folder} PUBLIC ${ARG_USES} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
@@ -36,6 +42,8 @@ function(enfilade_tests folder)
   add_executable(${folder}_tests ${sources})
   enfilade_compile_options(${folder}_tests)
   target_link_libraries(${folder}_tests PRIVATE ${ARGN} GTest::gtest GTest::gtest_main)
+  target_precompile_headers(${folder}_tests PRIVATE
+    <gtest/gtest.h> <string> <vector> <glm/glm.hpp>)
   target_compile_definitions(${folder}_tests PRIVATE ENFILADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${folder}_tests DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
 endfunction()
