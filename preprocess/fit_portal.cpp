@@ -15,7 +15,7 @@ constexpr float kSlide = 0.7f;       // [m] either way, in search of the smalles
 constexpr float kMostMoved = 0.35f;  // [m] from where the voxels met
 constexpr float kAround = 0.4f;      // [m] about an interface, where its opening's edges are sought
 constexpr float kPlateau = 1.12f;    // times the smallest section: still inside the wall
-constexpr float kRagged = 2.0f;     // [pixels] about its outline: likewise
+constexpr float kRagged = 2.0f;      // [pixels] about its outline: likewise
 constexpr float kLevel = 0.75f;      // |normal.y| of horizontal portals
 constexpr int kMostPixels = 600;     // along a window's side
 
