@@ -11,9 +11,11 @@ namespace enfilade {
 
 namespace {
 
-constexpr float kMargin = 40.0f;  // [pixels] about the page and between storeys
-constexpr float kTitle = 34.0f;   // [pixels] above each storey
-constexpr float kFoot = 56.0f;    // [pixels] below all
+constexpr float kScale = 40.0f;     // [pixels/m], of a house; less where the page would be
+constexpr float kWidest = 3000.0f;  // [pixels] than this
+constexpr float kMargin = 40.0f;    // [pixels] about the page and between storeys
+constexpr float kTitle = 34.0f;     // [pixels] above each storey
+constexpr float kFoot = 56.0f;      // [pixels] below all
 
 /// Neighbouring ids get colours far apart.
 std::string cellColor(CellId cell) {
@@ -33,8 +35,10 @@ PlanCrop cropOf(const House& house) {
   const CellGrid& grid = house.grid;
   const glm::vec2 low(grid.origin().x, grid.origin().z);
   const glm::vec2 high = low + grid.voxel() * glm::vec2(grid.size().x, grid.size().z);
-  if (crop.low.x > crop.high.x) return {low, high};
-  return {glm::max(crop.low, low), glm::min(crop.high, high)};
+  const bool empty = crop.low.x > crop.high.x;
+  crop.low = empty ? low : glm::max(crop.low, low);
+  crop.high = empty ? high : glm::min(crop.high, high);
+  return crop;
 }
 
 /// Whether a portal is to be seen on the storey: its middle stands between this floor and the next.
@@ -78,8 +82,9 @@ std::string storeyPlan(const House& house, std::size_t storey, float slice_heigh
 }  // namespace
 
 std::string floorPlanSvg(const House& house, float slice_height) {
-  const PlanCrop crop = cropOf(house);
   const auto storeys = static_cast<float>(house.graph.storeys.size());
+  PlanCrop crop = cropOf(house);
+  crop.scale = std::min(kScale, kWidest / (storeys * (crop.high.x - crop.low.x)));
   const float step = crop.size().x + kMargin;
   const float width = std::max(kMargin + storeys * step, 360.0f);
   const float height = kMargin + kTitle + crop.size().y + kMargin + kFoot;
@@ -95,7 +100,7 @@ std::string floorPlanSvg(const House& house, float slice_height) {
                        storeyPlan(house, storey, slice_height, crop));
   }
   return svg + fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n{}</g>\n</svg>\n", kMargin,
-                           height - kFoot, planFoot());
+                           height - kFoot, planFoot(crop));
 }
 
 }  // namespace enfilade

@@ -66,7 +66,7 @@ std::string patternsFor(const BuildingFacts& facts, const std::string& word) {
     std::string lower = name;
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (lower.find(word) == std::string::npos || name.find('\'') != std::string::npos) continue;
-    patterns += (patterns.empty() ? "" : ",") + name + "*";
+    patterns += fmt::format("{}{}*", patterns.empty() ? "" : ",", name);
   }
   return patterns;
 }

@@ -65,8 +65,8 @@ std::string cellLabel(const PlanSlice& slice, const CellGraph& graph, CellId id,
   if (area < 0.5f) return {};
   const glm::vec2 p = crop.pixels(slice.origin.x + slice.voxel * place.center.x,
                                   slice.origin.y + slice.voxel * place.center.y);
-  const float width = kPlanScale * slice.voxel * place.width;
-  const float height = kPlanScale * slice.voxel * place.height;
+  const float width = crop.scale * slice.voxel * place.width;
+  const float height = crop.scale * slice.voxel * place.height;
   std::string name = shortName(graph, graph.cells[id]);
   const auto fit = [&] {
     return std::min(width / (0.6f * static_cast<float>(std::max<std::size_t>(name.size(), 4))),
@@ -103,17 +103,23 @@ std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop
                      color, style, title);
 }
 
-std::string planFoot() {
+std::string planFoot(const PlanCrop& crop) {
+  // The shortest round length that is easily seen.
+  int metres = 5;
+  for (const int longer : {10, 20, 50, 100, 200, 500, 1000}) {
+    if (static_cast<float>(metres) * crop.scale < 120) metres = longer;
+  }
+  const float part = crop.scale * static_cast<float>(metres) / 5;
   std::string svg;
-  for (int metre = 0; metre < 5; ++metre) {
+  for (int i = 0; i < 5; ++i) {
     svg += fmt::format(
         "<rect x=\"{:.1f}\" width=\"{:.1f}\" height=\"6\" fill=\"{}\" stroke=\"#1b1f24\"/>\n",
-        kPlanScale * static_cast<float>(metre), kPlanScale, metre % 2 == 0 ? "#1b1f24" : "#ffffff");
+        part * static_cast<float>(i), part, i % 2 == 0 ? "#1b1f24" : "#ffffff");
   }
   svg += fmt::format(
-      "<text y=\"22\" font-size=\"12\">0</text><text x=\"{:.1f}\" y=\"22\" font-size=\"12\">5 "
+      "<text y=\"22\" font-size=\"12\">0</text><text x=\"{:.1f}\" y=\"22\" font-size=\"12\">{} "
       "m</text>\n",
-      5 * kPlanScale - 8);
+      5 * part - 8, metres);
   float x = 0;
   for (const PortalKind kind : {PortalKind::kOpening, PortalKind::kDoor, PortalKind::kWindow}) {
     svg += fmt::format(

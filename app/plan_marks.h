@@ -8,15 +8,14 @@
 
 namespace enfilade {
 
-inline constexpr float kPlanScale = 40.0f;  ///< [pixels/m]
-
 /// The part of the ground that every storey of a plan shows: x and z [m].
 struct PlanCrop {
   glm::vec2 low{std::numeric_limits<float>::infinity()};
   glm::vec2 high{-std::numeric_limits<float>::infinity()};
+  float scale = 40.0f;  ///< [pixels/m]
 
-  glm::vec2 pixels(float x, float z) const { return kPlanScale * (glm::vec2(x, z) - low); }
-  glm::vec2 size() const { return kPlanScale * (high - low); }
+  glm::vec2 pixels(float x, float z) const { return scale * (glm::vec2(x, z) - low); }
+  glm::vec2 size() const { return scale * (high - low); }
 };
 
 /// `text` fit to stand in XML.
@@ -32,7 +31,7 @@ std::string cellLabel(const PlanSlice& slice, const CellGraph& graph, CellId id,
 /// A portal as a line, dashed all around if it lies level, with what it joins as its title.
 std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop);
 
-/// A scale bar of 5 m and what the colours of the portals mean.
-std::string planFoot();
+/// A scale bar and what the colours of the portals mean.
+std::string planFoot(const PlanCrop& crop);
 
 }  // namespace enfilade

@@ -41,10 +41,12 @@ glm::ivec4 grownBy(const glm::ivec4& box, const std::vector<glm::vec2>& polygon,
 /// an earlier frame's picture stands in the buffer.
 void clear(Image& picture, const glm::ivec4& box) {
   if (box.x >= box.z) return;
+  const auto columns = static_cast<std::size_t>(box.z - box.x);
   for (int y = box.y; y < box.w; ++y) {
-    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(y) * picture.width;
-    std::fill(picture.rgba.begin() + row + 4 * box.x, picture.rgba.begin() + row + 4 * box.z,
-              std::uint8_t{0});
+    const std::size_t first =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+        static_cast<std::size_t>(box.x);
+    std::fill_n(&picture.rgba[4 * first], 4 * columns, std::uint8_t{0});
   }
 }
 
