@@ -33,7 +33,7 @@ struct Warp {
   const Ldi& ldi;
   WarpTransform transform;
   SheetOrder order;
-  TileClip region_clip;
+  const TileClip& region_clip;
   bool clips;
 };
 
@@ -91,12 +91,12 @@ void WarpBuffer::resize(int width, int height) {
   spans.assign(static_cast<std::size_t>(height), glm::ivec2(0));
 }
 
-WarpCounts warpLdi(const Ldi& ldi, const PlanarCamera& desired, std::span<const glm::vec2> polygon,
-                   WarpBuffer& target, const WarpOptions& options) noexcept {
+WarpCounts warpImages(std::span<const Ldi* const> images, const PlanarCamera& desired,
+                      std::span<const glm::vec2> polygon, WarpBuffer& target,
+                      const WarpOptions& options) noexcept {
   assert(desired.width == target.color.width && desired.height == target.color.height);
   const RegionOfBuffer region = regionOf(polygon, target);
-  const Warp warp{ldi, warpTransform(ldi.camera, desired), sheetOrder(ldi.camera, desired.center),
-                  TileClip(polygon), options.clip};
+  const TileClip clip(polygon);
 
   // A pixel's samples come in the same order whatever band it lies in.
   const int bands = bandCount(region, options.threads);
@@ -104,7 +104,14 @@ WarpCounts warpLdi(const Ldi& ldi, const PlanarCamera& desired, std::span<const 
   forEachBand(bands, [&](int i) {
     const RegionOfBuffer band = bandOf(region, i, bands);
     clearRegion(band);
-    counts[static_cast<std::size_t>(i)] = warpInto(warp, band);
+    WarpCounts& sum = counts[static_cast<std::size_t>(i)];
+    for (const Ldi* image : images) {
+      const Warp warp{*image, warpTransform(image->camera, desired),
+                      sheetOrder(image->camera, desired.center), clip, options.clip};
+      const WarpCounts more = warpInto(warp, band);
+      sum.samples += more.samples;
+      sum.samples_clipped += more.samples_clipped;
+    }
   });
   forEachBand(bands, [&](int i) {
     resolveRegion(region, bandOf(region, i, bands).rows, counts[static_cast<std::size_t>(i)]);
@@ -116,6 +123,12 @@ WarpCounts warpLdi(const Ldi& ldi, const PlanarCamera& desired, std::span<const 
     counts[0].pixels_bridged += more.pixels_bridged;
   }
   return counts[0];
+}
+
+WarpCounts warpLdi(const Ldi& ldi, const PlanarCamera& desired, std::span<const glm::vec2> region,
+                   WarpBuffer& target, const WarpOptions& options) noexcept {
+  const Ldi* const image = &ldi;
+  return warpImages({&image, 1}, desired, region, target, options);
 }
 
 }  // namespace enfilade

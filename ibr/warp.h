@@ -37,13 +37,18 @@ struct WarpOptions {
   int threads = 0;   ///< [≥ 0] 0: as many as TBB has
 };
 
-/// Warps every sample of `ldi` that falls into `region` (a convex polygon in the target's pixels,
-/// row 0 on top) into `target`, whose pixels there are first cleared; no other pixel is written.
-/// Occlusion-compatible order, in 4, 2 or 1 sheets. `desired` has the target's size.  The same
-/// pixels for any number of threads: each warps the rows of its own.  Never allocates once `target`
-/// has its size, but for what TBB keeps.
-/// Source: McMillan & Bishop, Plenoptic Modeling, 1995; sheets as in Rafferty et al. 1998,
-/// sec. 3.1.
+/// Warps every sample of `images` (each after the one before it: of reference images the farther
+/// ones first) that falls into `region` (a convex polygon in the target's pixels, row 0 on top)
+/// into `target`, whose pixels there are first cleared; no other pixel is written.
+/// Occlusion-compatible order within an image, in 4, 2 or 1 sheets. `desired` has the target's
+/// size.  The same pixels for any number of threads: each warps the rows of its own.  Never
+/// allocates once `target` has its size, but for what TBB keeps. Source: McMillan & Bishop,
+/// Plenoptic Modeling, 1995; sheets as in Rafferty et al. 1998, sec. 3.1.
+WarpCounts warpImages(std::span<const Ldi* const> images, const PlanarCamera& desired,
+                      std::span<const glm::vec2> region, WarpBuffer& target,
+                      const WarpOptions& options = {}) noexcept;
+
+/// The same for one image.
 WarpCounts warpLdi(const Ldi& ldi, const PlanarCamera& desired, std::span<const glm::vec2> region,
                    WarpBuffer& target, const WarpOptions& options = {}) noexcept;
 
