@@ -74,6 +74,36 @@ std::vector<std::size_t> samplesPerLayer(const Ldi& ldi) {
   return layers;
 }
 
+void LdiColumn::include(const LdiColumn& other) noexcept {
+  if (other.last_row < other.first_row) return;
+  first_row = last_row < first_row ? other.first_row : std::min(first_row, other.first_row);
+  last_row = std::max(last_row, other.last_row);
+  least_disparity = std::min(least_disparity, other.least_disparity);
+  greatest_disparity = std::max(greatest_disparity, other.greatest_disparity);
+  greatest_footprint = std::max(greatest_footprint, other.greatest_footprint);
+}
+
+namespace {
+
+void indexColumns(Ldi& ldi) {
+  const auto columns = static_cast<std::size_t>((ldi.camera.width + kLdiTile - 1) / kLdiTile);
+  ldi.columns.assign(columns, {});
+  ldi.column_first.assign(columns + 1, 0);
+  for (const LdiTile& tile : ldi.tiles) {
+    ldi.columns[tile.x].include(
+        {tile.y, tile.y, tile.least_disparity, tile.greatest_disparity, tile.greatest_footprint});
+    ++ldi.column_first[std::size_t{tile.x} + 1];
+  }
+  std::partial_sum(ldi.column_first.begin(), ldi.column_first.end(), ldi.column_first.begin());
+  std::vector<std::uint32_t> next(ldi.column_first.begin(), ldi.column_first.end() - 1);
+  ldi.column_order.resize(ldi.tiles.size());
+  for (std::uint32_t i = 0; i < ldi.tiles.size(); ++i) {
+    ldi.column_order[next[ldi.tiles[i].x]++] = i;
+  }
+}
+
+}  // namespace
+
 void indexTiles(Ldi& ldi) {
   const auto rows = static_cast<std::size_t>((ldi.camera.height + kLdiTile - 1) / kLdiTile);
   ldi.row_tiles.assign(rows + 1, 0);
@@ -92,6 +122,7 @@ void indexTiles(Ldi& ldi) {
     tile.greatest_footprint = footprintSize(code);
   }
   std::partial_sum(ldi.row_tiles.begin(), ldi.row_tiles.end(), ldi.row_tiles.begin());
+  indexColumns(ldi);
 }
 
 }  // namespace enfilade

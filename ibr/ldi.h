@@ -57,6 +57,16 @@ struct LdiTile {
   float greatest_footprint = 0;  ///< [pixels] across or down, of any sample
 };
 
+/// What a column of tiles holds.
+struct LdiColumn {
+  int first_row = 0, last_row = -1;  ///< of tiles; none: last < first
+  float least_disparity = 1;
+  float greatest_disparity = 0;
+  float greatest_footprint = 0;  ///< [pixels]
+
+  void include(const LdiColumn& other) noexcept;
+};
+
 /// A layered depth image: any number of samples a pixel, along the rays of one planar camera.
 /// Only tiles with samples are kept, so that a wide window costs nothing.  Tiles by row, then by
 /// column.  A tile's samples by increasing disparity (farthest first; ties by place), which is back
@@ -66,9 +76,18 @@ struct LdiTile {
 struct Ldi {
   PlanarCamera camera;
   std::vector<LdiTile> tiles;
-  std::vector<std::uint32_t> row_tiles;  ///< rows of tiles + 1: row r is tiles [row_tiles[r],
-                                         ///< row_tiles[r + 1])
+  std::vector<std::uint32_t> row_tiles;     ///< rows of tiles + 1: row r is tiles [row_tiles[r],
+                                            ///< row_tiles[r + 1])
+  std::vector<LdiColumn> columns;           ///< one a column of tiles
+  std::vector<std::uint32_t> column_first;  ///< columns + 1, into column_order
+  std::vector<std::uint32_t> column_order;  ///< the tiles by column
   std::vector<LdiSample> samples;
+
+  /// The tiles of a column of tiles, from top to bottom.
+  std::span<const std::uint32_t> columnTiles(std::size_t column) const noexcept {
+    return std::span(column_order)
+        .subspan(column_first[column], column_first[column + 1] - column_first[column]);
+  }
 };
 
 /// The samples of pixel (x, y), nearest first: layer one, two …
@@ -77,7 +96,8 @@ std::vector<LdiSample> layersAt(const Ldi& ldi, int x, int y);
 /// How many samples lie in layer one, two …
 std::vector<std::size_t> samplesPerLayer(const Ldi& ldi);
 
-/// Sets every tile's bounds and the index of the rows, from the tiles' places, counts and samples.
+/// Sets every tile's and column's bounds and the indices, from the tiles' places, counts and
+/// samples.
 void indexTiles(Ldi& ldi);
 
 }  // namespace enfilade

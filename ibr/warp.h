@@ -2,26 +2,31 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "ibr/ldi.h"
 #include "ibr/planar_camera.h"
+#include "ibr/splat.h"
 #include "scene/image.h"
 
 namespace enfilade {
 
-/// The frame-sized picture that all of a frame's images are warped into.  Alpha 0: no sample fell
-/// there.
-struct WarpBuffer {
-  Image color;
+struct WarpScratch;
 
-  // Working memory of the reconstruction, kept between frames.
-  std::vector<glm::vec4> weighted;  ///< Σ weight·(r, g, b, 1), one a pixel
-  std::vector<float> nearest;       ///< disparity of the surface that is nearest so far; 0: none
-  std::vector<glm::ivec2> spans;    ///< the region's columns, one a row
+/// The frame-sized picture that images are warped into.  Alpha 0: no sample fell there.
+class WarpBuffer {
+ public:
+  /// `scratch`: working memory that many buffers may share; without it the buffer has its own.
+  explicit WarpBuffer(std::shared_ptr<WarpScratch> scratch = nullptr);
 
   void resize(int width, int height);
+  WarpScratch& scratch() noexcept { return *scratch_; }
+
+  Image color;
+
+ private:
+  std::shared_ptr<WarpScratch> scratch_;
 };
 
 struct WarpCounts {
@@ -32,18 +37,27 @@ struct WarpCounts {
   std::size_t pixels_bridged = 0;    ///< of the uncovered, cracks within a surface that were closed
 };
 
+/// Which samples are left out before they are warped.  The picture is the same with any.
+enum class Clip : std::uint8_t {
+  kNothing,
+  kColumns,  ///< whole columns of tiles, recursively (Popescu et al. 1998)
+  kTiles     ///< each tile by itself, which leaves out more
+};
+
 struct WarpOptions {
-  bool clip = true;  ///< leave out tiles that cannot fall into the region: the same picture, sooner
-  int threads = 0;   ///< [≥ 0] 0: as many as TBB has
+  Splat splat = Splat::kBlend;
+  Clip clip = Clip::kTiles;
+  int threads = 0;  ///< [≥ 0] fragments that are warped at once; 0: as many as TBB has threads
 };
 
 /// Warps every sample of `images` (each after the one before it: of reference images the farther
 /// ones first) that falls into `region` (a convex polygon in the target's pixels, row 0 on top)
 /// into `target`, whose pixels there are first cleared; no other pixel is written.
 /// Occlusion-compatible order within an image, in 4, 2 or 1 sheets. `desired` has the target's
-/// size.  The same pixels for any number of threads: each warps the rows of its own.  Never
-/// allocates once `target` has its size, but for what TBB keeps. Source: McMillan & Bishop,
-/// Plenoptic Modeling, 1995; sheets as in Rafferty et al. 1998, sec. 3.1.
+/// size. The same pixels for any number of threads: each has a fragment of the region to get right,
+/// and warps all that may fall there.  Never allocates once the target has seen a warp as large,
+/// but for what TBB keeps. Source: McMillan & Bishop, Plenoptic Modeling, 1995; sheets and
+/// fragments as in Rafferty et al. 1998, sec. 3.1.
 WarpCounts warpImages(std::span<const Ldi* const> images, const PlanarCamera& desired,
                       std::span<const glm::vec2> region, WarpBuffer& target,
                       const WarpOptions& options = {}) noexcept;

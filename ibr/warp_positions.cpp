@@ -1,19 +1,38 @@
 // McMillan & Bishop, Plenoptic Modeling, 1995: linear in (u, v, δ) before the divide.
 #include "ibr/warp_positions.h"
 
-#include <bit>
-#include <cmath>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "ibr/warp_positions.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 
-namespace enfilade {
-namespace {
+#include "ibr/warp_lanes-inl.h"
 
-/// footprintSize() without a table, so that the loop vectorises: 2^(code / 2 − 2).
-inline float footprintSizeOf(unsigned code) noexcept {
-  const float power_of_two = std::bit_cast<float>(((code >> 1) + 125u) << 23);
-  return power_of_two * (1.0f + 0.41421356f * static_cast<float>(static_cast<int>(code & 1u)));
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::HWY_NAMESPACE {
+
+void warpBatch(const TileTransform& transform, const LdiSample* samples, std::size_t count,
+               WarpedBatch& out) {
+  const DF df;
+  const StoredTransform stored(transform);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(df)) {
+    VU color, place;
+    loadSamples(samples, i, count, color, place);
+    const WarpedLanes lanes = warpLanes(stored, place);
+    VF across, down;
+    halfPatches(color, lanes.scale, across, down);
+    hn::StoreU(lanes.x, df, out.x + i);
+    hn::StoreU(lanes.y, df, out.y + i);
+    hn::StoreU(lanes.disparity, df, out.disparity + i);
+    hn::StoreU(halfFootprint(transform, 0, lanes.x, across, down), df, out.half_width + i);
+    hn::StoreU(halfFootprint(transform, 1, lanes.y, across, down), df, out.half_height + i);
+  }
 }
 
-}  // namespace
+}  // namespace enfilade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace enfilade {
 
 TileTransform tileTransform(const WarpTransform& warp, const LdiTile& tile) noexcept {
   const glm::dvec3 corner = warp.homogeneous(tile.x * kLdiTile, tile.y * kLdiTile, 0.0);
@@ -27,31 +46,12 @@ TileTransform tileTransform(const WarpTransform& warp, const LdiTile& tile) noex
   return t;
 }
 
+HWY_EXPORT(warpBatch);
+
 void warpBatch(const TileTransform& transform, std::span<const LdiSample> samples,
                WarpedBatch& out) noexcept {
-  const TileTransform t = transform;
-  const std::size_t count = samples.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const LdiSample& s = samples[i];
-    const float u = xInTile(s);
-    const float v = yInTile(s);
-    const float d = disparityOf(s);
-    const float xw = t.origin[0] + u * t.per_x[0] + v * t.per_y[0] + d * t.per_disparity[0];
-    const float yw = t.origin[1] + u * t.per_x[1] + v * t.per_y[1] + d * t.per_disparity[1];
-    const float w = t.origin[2] + u * t.per_x[2] + v * t.per_y[2] + d * t.per_disparity[2];
-    const float scale = 1.0f / w;
-    const float x = xw * scale;
-    const float y = yw * scale;
-    out.x[i] = x;
-    out.y[i] = y;
-    out.disparity[i] = d * scale;
-    const float across = 0.5f * footprintSizeOf(s.footprint >> 4) * scale;
-    const float down = 0.5f * footprintSizeOf(s.footprint & 15u) * scale;
-    out.half_width[i] = std::abs(t.per_x[0] - x * t.per_x[2]) * across +
-                        std::abs(t.per_y[0] - x * t.per_y[2]) * down;
-    out.half_height[i] = std::abs(t.per_x[1] - y * t.per_x[2]) * across +
-                         std::abs(t.per_y[1] - y * t.per_y[2]) * down;
-  }
+  HWY_DYNAMIC_DISPATCH(warpBatch)(transform, samples.data(), samples.size(), out);
 }
 
 }  // namespace enfilade
+#endif

@@ -8,7 +8,7 @@
 
 namespace enfilade {
 
-inline constexpr std::size_t kWarpBatch = 128;
+inline constexpr std::size_t kWarpBatch = 128;  ///< a multiple of any vector
 
 /// Where a batch of samples falls in the desired image, and how large it is there.
 struct WarpedBatch {

@@ -14,15 +14,15 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) {
     return memory;
   }
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace enfilade {
 namespace {
@@ -93,16 +93,26 @@ Scene randomView(Random& random, int width, int height) {
   return scene;
 }
 
-TEST(Warp, IsThePlainWarpInEveryPixel) {
+class WarpBySplat : public ::testing::TestWithParam<Splat> {};
+
+INSTANTIATE_TEST_SUITE_P(Warp, WarpBySplat,
+                         ::testing::Values(Splat::k1x1, Splat::k2x2, Splat::k3x3, Splat::kCross,
+                                           Splat::kSized, Splat::kNearest, Splat::kBlend),
+                         [](const auto& test) {
+                           return "Splat" + std::string(infoOf(test.param).name);
+                         });
+
+TEST_P(WarpBySplat, IsThePlainWarpInEveryPixel) {
   Random random(31);
   std::size_t pixels = 0, differing = 0, cracks = 0, holes = 0;
   for (int i = 0; i < 12; ++i) {
     const Scene scene = randomView(random, 96, 80);
     WarpBuffer buffer;
     buffer.resize(96, 80);
-    const WarpCounts counts = warpLdi(scene.ldi, scene.desired, scene.region, buffer);
+    const WarpCounts counts =
+        warpLdi(scene.ldi, scene.desired, scene.region, buffer, {GetParam(), Clip::kTiles, 1});
     const std::vector<bool> region = pixelsIn(scene.region, 96, 80);
-    const auto plain = testing::warpPlainly(scene.ldi, scene.desired, region);
+    const auto plain = testing::warpPlainly(scene.ldi, scene.desired, region, GetParam());
     for (std::size_t p = 0; p < plain.size(); ++p) {
       const std::uint8_t* rgba = &buffer.color.rgba[4 * p];
       if (!region[p]) {
@@ -111,7 +121,7 @@ TEST(Warp, IsThePlainWarpInEveryPixel) {
       ++pixels;
       bool same = (rgba[3] == 255) == plain[p].shown;
       for (int c = 0; c < 3; ++c) {
-        same = same && std::abs(rgba[c] - plain[p].color[c]) < 2.0;
+        same = same && (!plain[p].shown || std::abs(rgba[c] - plain[p].color[c]) < 2.0);
       }
       differing += !same;
       cracks += plain[p].shown && !plain[p].covered;
@@ -120,11 +130,14 @@ TEST(Warp, IsThePlainWarpInEveryPixel) {
     EXPECT_NEAR(static_cast<double>(counts.pixels),
                 static_cast<double>(std::count(region.begin(), region.end(), true)), 0.5);
   }
-  // Rounding may decide whether a pixel's centre lies at a footprint's very edge.
+  // Rounding may decide whether a pixel's centre lies at a footprint's very edge, and which of two
+  // samples is nearer to it.
   EXPECT_GT(pixels, 10000u);
-  EXPECT_LE(differing, pixels / 500);
-  EXPECT_GT(cracks, 20u);
-  EXPECT_GT(holes, cracks);
+  EXPECT_LE(differing, pixels / 200);
+  EXPECT_GT(holes, 100u);
+  if (keepsDepth(GetParam())) {
+    EXPECT_GT(cracks, 20u);
+  }
 }
 
 TEST(Warp, CountsWhatItLeavesUncovered) {
@@ -177,13 +190,14 @@ TEST(Warp, WritesEveryPixelInsideTheRegionAndNoneOutside) {
   }
 }
 
-TEST(Warp, IsTheSamePictureWithAndWithoutClippingAndForAnyNumberOfThreads) {
+TEST_P(WarpBySplat, IsTheSamePictureWithAndWithoutClippingAndForAnyNumberOfThreads) {
+  const Splat splat = GetParam();
   Random random(34);
   std::size_t clipped = 0, all = 0;
   for (int i = 0; i < 30; ++i) {
     Scene scene = randomView(random, 320, 256);
     if (i % 3 == 0) {
-      scene.ldi = testing::randomLdi(random, 3000);
+      scene.ldi = testing::randomLdi(random, i % 2 == 0 ? 60000 : 3000);
     }
     if (i % 5 == 0) {  // an eye anywhere, also among the samples
       scene.desired =
@@ -193,14 +207,15 @@ TEST(Warp, IsTheSamePictureWithAndWithoutClippingAndForAnyNumberOfThreads) {
     WarpBuffer plain;
     plain.resize(320, 256);
     const WarpCounts counts =
-        warpLdi(scene.ldi, scene.desired, scene.region, plain, WarpOptions{false, 1});
+        warpLdi(scene.ldi, scene.desired, scene.region, plain, {splat, Clip::kNothing, 1});
     EXPECT_EQ(counts.samples, scene.ldi.samples.size());
     EXPECT_EQ(counts.samples_clipped, 0u);
-    for (const int threads : {1, 2, 3, 0}) {
+    for (const int threads : {1, 2, 3, 7, 0}) {
       WarpBuffer buffer;
       buffer.resize(320, 256);
+      const Clip clip = threads == 3 ? Clip::kColumns : Clip::kTiles;
       const WarpCounts c =
-          warpLdi(scene.ldi, scene.desired, scene.region, buffer, WarpOptions{true, threads});
+          warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, clip, threads});
       ASSERT_EQ(buffer.color.rgba, plain.color.rgba) << i << " on " << threads;
       EXPECT_EQ(c.samples + c.samples_clipped, scene.ldi.samples.size());
       EXPECT_EQ(c.pixels, counts.pixels);
@@ -215,14 +230,16 @@ TEST(Warp, IsTheSamePictureWithAndWithoutClippingAndForAnyNumberOfThreads) {
   EXPECT_GT(clipped, all / 4);
 }
 
-TEST(Warp, NeverAllocatesOnceTheBufferHasItsSize) {
+TEST_P(WarpBySplat, NeverAllocatesOnceItHasSeenAWarpAsLarge) {
+  const Splat splat = GetParam();
   Random random(35);
   const Scene scene = randomView(random, 320, 256);
   WarpBuffer buffer;
   buffer.resize(320, 256);
+  warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles, 1});
   const std::size_t before = allocations;
   const WarpCounts counts =
-      warpLdi(scene.ldi, scene.desired, scene.region, buffer, WarpOptions{true, 1});
+      warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles, 1});
   EXPECT_EQ(allocations - before, 0u);
   EXPECT_GT(counts.samples, 0u);
 }

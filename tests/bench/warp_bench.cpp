@@ -1,0 +1,62 @@
+// The warp, in nanoseconds a sample, by splat and number of threads.
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <map>
+
+#include "ibr/warp.h"
+#include "tests/bench/warp_scenes.h"
+
+namespace enfilade {
+namespace {
+
+const Ldi& ldiOf(int rows) {
+  static std::map<int, Ldi> known;
+  const auto found = known.find(rows);
+  return found != known.end() ? found->second
+                              : known.emplace(rows, bench::roomLdi(rows)).first->second;
+}
+
+/// All of the picture is the region, and nothing is clipped: every sample is warped.
+void everySample(benchmark::State& state, Splat splat) {
+  const Ldi& ldi = ldiOf(static_cast<int>(state.range(0)));
+  const int threads = static_cast<int>(state.range(1));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  const PlanarCamera desired = bench::viewOfDoorway();
+  WarpBuffer buffer;
+  buffer.resize(desired.width, desired.height);
+  const WarpOptions options{splat, Clip::kTiles, threads};
+  const std::vector<glm::vec2> region = testing::wholePicture(desired);
+  WarpCounts counts;
+  for (auto _ : state) counts = warpLdi(ldi, desired, region, buffer, options);
+  state.counters["samples"] = static_cast<double>(counts.samples);
+  state.counters["a sample"] = benchmark::Counter(
+      static_cast<double>(counts.samples),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void addAll() {
+  for (const SplatInfo& info : allSplats()) {
+    for (const int rows : {256, 512}) {
+      for (const int threads : {1, 2}) {
+        benchmark::RegisterBenchmark((std::string("warp/") + info.name).c_str(),
+                                     [&](benchmark::State& s) { everySample(s, info.splat); })
+            ->Args({rows, threads})
+            ->UseRealTime()
+            ->Unit(benchmark::kMicrosecond);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace enfilade
+
+int main(int argc, char** argv) {
+  enfilade::addAll();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
