@@ -65,8 +65,8 @@ TEST(HoleFilling, InpaintingReadsAndWritesNothingOutsideTheRegion) {
     }
     std::vector<glm::ivec2> spans;
     for (int y = 0; y < kHeight; ++y) {
-      const int left = random(0, 20);
-      spans.emplace_back(left, left + random(2, 20));
+      const int left = random(0, 10);
+      spans.emplace_back(left, left + random(14, 20));
       for (int x = 0; x < kWidth; ++x) {
         if (x < spans.back().x || x >= spans.back().y) {
           const auto alpha = static_cast<std::uint8_t>(random(0, 2) * 255);
