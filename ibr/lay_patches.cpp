@@ -83,56 +83,95 @@ HWY_INLINE void placePatches(const TileTransform& transform, const StoredTransfo
   }
 }
 
-/// Four floats that are added and multiplied at once.
+/// Four pixels of a row, or two with 16 bits a channel.
 using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+using Sums2 = std::uint16_t __attribute__((vector_size(16)));
 
-HWY_INLINE Float4 load(const glm::vec4& v) {
-  Float4 f;
-  std::memcpy(&f, &v, sizeof(f));
-  return f;
+template <class V, class T>
+HWY_INLINE V load(const T* from) {
+  V v;
+  std::memcpy(&v, from, sizeof(v));
+  return v;
 }
-HWY_INLINE void store(Float4 f, glm::vec4& to) { std::memcpy(&to, &f, sizeof(f)); }
+template <class V, class T>
+HWY_INLINE void store(const V& v, T* to) {
+  std::memcpy(to, &v, sizeof(v));
+}
 
-/// Adds patch i to a row of pixels; `row_weight` is what its weights have in common there.
-template <Splat kSplat>
-HWY_INLINE void layRow(const PatchBatch& batch, std::size_t i, float row_weight, Float4 color,
-                       glm::vec4* weighted, float* nearest) {
-  const float disparity = batch.disparity[i];
+/// Adds a sample's colour to two pixels where `use`, forgetting what was there where `front`.
+HWY_INLINE void addToSums(Sums2 color, Int4 use, Int4 front, std::uint64_t* sums) {
+  constexpr std::uint16_t kMost = 256;  // of which sixteen bits hold the sum
+  const Sums2 before = load<Sums2>(sums);
+  const Sums2 counts = __builtin_shuffle(before, Sums2{3, 3, 3, 3, 7, 7, 7, 7});
+  const Sums2 has_room = (Sums2)(counts < kMost) | (Sums2)front;
+  store<Sums2>((before & ~(Sums2)front) + (color & (Sums2)use & has_room), sums);
+}
+
+/// Adds a sample to the means of columns [x0, x1) of a row.  Reads and writes back up to three
+/// pixels more.
+HWY_INLINE void addToMeans(Sums2 color, float disparity, int x0, int x1, std::uint64_t* sums,
+                           float* nearest) {
   const float hidden_from = disparity * R::kSameSurface;
-  for (int x = batch.x0[i]; x < batch.x1[i]; ++x) {
-    const float seen = nearest[x];
-    if (hidden_from < seen) continue;
-    const float off =
-        1.0f - std::abs(static_cast<float>(x) + 0.5f - batch.x[i]) * batch.per_half_width[i];
-    const float weight = row_weight * (off * off + R::kLeastWeight);
-    const bool in_front = disparity > seen * R::kSameSurface;
-    if constexpr (kSplat == Splat::kNearest) {
-      if (in_front || weight > weighted[x].w) store(weight * color, weighted[x]);
-    } else {
-      const Float4 before = in_front ? Float4{} : load(weighted[x]);
-      store(before + weight * color, weighted[x]);
-    }
-    nearest[x] = in_front ? disparity : seen;
+  for (int x = x0; x < x1; x += 4) {
+    const auto seen = load<Float4>(nearest + x);
+    const Int4 in_row = Int4{0, 1, 2, 3} < x1 - x;
+    const Int4 use = (seen <= hidden_from) & in_row;
+    const Int4 front = (seen * R::kSameSurface < disparity) & use;
+    const Int4 kept = (Int4)seen & ~front;
+    store<Int4>(kept | ((Int4)(Float4{} + disparity) & front), nearest + x);
+    addToSums(color, __builtin_shuffle(use, Int4{0, 0, 1, 1}),
+              __builtin_shuffle(front, Int4{0, 0, 1, 1}), sums + x);
+    addToSums(color, __builtin_shuffle(use, Int4{2, 2, 3, 3}),
+              __builtin_shuffle(front, Int4{2, 2, 3, 3}), sums + x + 2);
+  }
+}
+
+/// Where a sample lies on a row of pixels.
+struct RowPlace {
+  float x, per_half_width;
+  float closeness;  ///< what it has of all pixels of the row
+  float disparity;
+};
+
+/// Puts a sample into columns [x0, x1) of a row where it is nearer to the centre than what is
+/// there.
+HWY_INLINE void keepNearest(std::uint64_t color, const RowPlace& at, int x0, int x1,
+                            std::uint64_t* sums, float* nearest, float* closeness) {
+  for (int x = x0; x < x1; ++x) {
+    if (at.disparity * R::kSameSurface < nearest[x]) continue;
+    const float off = std::abs(static_cast<float>(x) + 0.5f - at.x) * at.per_half_width;
+    const float close = at.closeness * (1.0f - off);
+    const bool in_front = at.disparity > nearest[x] * R::kSameSurface;
+    if (!in_front && close <= closeness[x]) continue;
+    sums[x] = color;
+    closeness[x] = close;
+    if (in_front) nearest[x] = at.disparity;
   }
 }
 
 /// Lays patch i on its pixels.
 template <Splat kSplat>
 HWY_INLINE void layPatch(const PatchBatch& batch, std::size_t i, const WarpWindow& window) {
-  const std::uint32_t rgb = batch.color[i];
-  const Float4 color = {static_cast<float>(static_cast<int>(rgb & 255u)),
-                        static_cast<float>(static_cast<int>(rgb >> 8 & 255u)),
-                        static_cast<float>(static_cast<int>(rgb >> 16 & 255u)), 1.0f};
+  const std::uint64_t rgb = batch.color[i];
+  const std::uint64_t color =
+      (rgb & 255u) | (rgb >> 8 & 255u) << 16 | (rgb >> 16 & 255u) << 32 | std::uint64_t{1} << 48;
+  const std::uint64_t pair[2] = {color, color};
+  const auto colors = load<Sums2>(pair);
+  const int x0 = batch.x0[i];
+  const int x1 = batch.x1[i];
   for (int y = batch.y0[i]; y < batch.y1[i]; ++y) {
     const std::ptrdiff_t row = y * window.stride;
     if constexpr (kSplat == Splat::kSized) {
-      std::fill(window.painted + row + batch.x0[i], window.painted + row + batch.x1[i],
-                rgb | 0xff000000u);
+      std::fill(window.painted + row + x0, window.painted + row + x1, batch.color[i] | 0xff000000u);
+    } else if constexpr (kSplat == Splat::kMean) {
+      addToMeans(colors, batch.disparity[i], x0, x1, window.sums + row, window.nearest + row);
     } else {
-      const float off =
-          1.0f - std::abs(static_cast<float>(y) + 0.5f - batch.y[i]) * batch.per_half_height[i];
-      layRow<kSplat>(batch, i, off * off + R::kLeastWeight, color, window.weighted + row,
-                     window.nearest + row);
+      const float off = std::abs(static_cast<float>(y) + 0.5f - batch.y[i]);
+      const RowPlace place{batch.x[i], batch.per_half_width[i],
+                           1.0f - off * batch.per_half_height[i], batch.disparity[i]};
+      keepNearest(color, place, x0, x1, window.sums + row, window.nearest + row,
+                  window.closeness + row);
     }
   }
 }
@@ -156,7 +195,7 @@ void layPatches(Splat splat, const TileTransform& t, const LdiSample* samples, s
     case Splat::kNearest:
       return lay<Splat::kNearest>(t, samples, count, window);
     default:
-      return lay<Splat::kBlend>(t, samples, count, window);
+      return lay<Splat::kMean>(t, samples, count, window);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "ibr/mean_colors.h"
+
 namespace enfilade {
 namespace {
 
@@ -27,11 +29,17 @@ inline bool bridges(float a, float b, float behind) noexcept {
   return a > beyond && b > beyond && a < b * R::kCrackDepth && b < a * R::kCrackDepth;
 }
 
-inline glm::vec4 normalised(const glm::vec4& weighted) noexcept { return weighted / weighted.w; }
+/// Red, green, blue and number of samples of a pixel, divided by the number.
+inline glm::vec4 meanOf(std::uint64_t sums) noexcept {
+  const auto channel = [&](unsigned c) {
+    return static_cast<float>(static_cast<int>(sums >> (16 * c) & 0xffffu));
+  };
+  return glm::vec4(channel(0), channel(1), channel(2), channel(3)) / channel(3);
+}
 
-/// A row of weighted sums, and the region's columns above and below it.
-struct WeightedRow {
-  const glm::vec4* weighted;
+/// A row of sums, and the region's columns on it, above and below.
+struct SumsRow {
+  const std::uint64_t* sums;
   const float* nearest;
   std::ptrdiff_t stride;
   glm::ivec2 region, above, below;
@@ -45,19 +53,31 @@ struct WeightedRow {
     return bridges(nearest[x - stride], nearest[x + stride], nearest[x]) && contains(above, x) &&
            contains(below, x);
   }
-  /// The colour of the nearer surface in which pixel x is a crack; w = 0 if it is none.
+  /// The colour of the nearer surface in which pixel x is a crack; its last part is 0 if it is
+  /// none.
   glm::vec4 acrossCrack(int x) const noexcept {
     glm::vec4 sum(0.0f);
-    if (crackBeside(x)) sum += normalised(weighted[x - 1]) + normalised(weighted[x + 1]);
-    if (crackBetween(x)) sum += normalised(weighted[x - stride]) + normalised(weighted[x + stride]);
+    if (crackBeside(x)) sum += meanOf(sums[x - 1]) + meanOf(sums[x + 1]);
+    if (crackBetween(x)) sum += meanOf(sums[x - stride]) + meanOf(sums[x + stride]);
     return sum;
   }
 };
 
-void writeColor(const glm::vec4& sum, std::uint8_t* out) noexcept {
-  const glm::vec4 color = sum * (1.0f / sum.w) + 0.5f;
-  for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(static_cast<int>(color[c]));
-  out[3] = 255;
+constexpr int kTogether = 32;  // pixels among which cracks are looked for at once
+
+/// Closes the cracks among columns [x0, x1) of a row, whose first pixel is `out`; returns how many
+/// of them were uncovered.
+std::size_t closeCracks(const SumsRow& row, int x0, int x1, std::uint8_t* out) noexcept {
+  std::size_t bridged = 0;
+  for (int x = x0; x < x1; ++x, out += 4) {
+    const glm::vec4 crack = row.acrossCrack(x);
+    if (!(crack.w > 0.0f)) continue;
+    const glm::vec4 color = crack / crack.w + 0.5f;
+    for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(color[c]);
+    out[3] = 255;
+    bridged += !(row.nearest[x] > 0.0f);
+  }
+  return bridged;
 }
 
 }  // namespace
@@ -73,31 +93,27 @@ void resolvePainted(const RegionPart& part, const WarpWindow& window, Image& out
   });
 }
 
-void resolveWeighted(const RegionPart& part, const WarpWindow& window, Image& out,
-                     WarpCounts& counts) noexcept {
+void resolveMeans(const RegionPart& part, const WarpWindow& window, Image& out,
+                  WarpCounts& counts) noexcept {
   const auto regionAt = [&](int y) {
     return y >= part.top && y < part.bottom ? part.spans[static_cast<std::size_t>(y)]
                                             : glm::ivec2(0);
   };
   forEachRow(part, [&](int y, glm::ivec2 columns) {
     const std::ptrdiff_t at = y * window.stride;
-    const WeightedRow row{window.weighted + at, window.nearest + at, window.stride,
-                          regionAt(y),          regionAt(y - 1),     regionAt(y + 1)};
-    std::uint8_t* pixel = pixelsOf(out, columns.x, y);
-    for (int x = columns.x; x < columns.y; ++x, pixel += 4) {
-      const bool covered = row.nearest[x] > 0.0f;
-      const glm::vec4 crack = row.acrossCrack(x);
-      if (crack.w > 0.0f) {
-        writeColor(crack, pixel);
-        counts.pixels_bridged += !covered;
-      } else if (covered) {
-        writeColor(row.weighted[x], pixel);
-      } else {
-        std::memset(pixel, 0, 4);
+    const SumsRow row{window.sums + at, window.nearest + at, window.stride,
+                      regionAt(y),      regionAt(y - 1),     regionAt(y + 1)};
+    std::uint8_t* const pixels = pixelsOf(out, columns.x, y);
+    const auto count = static_cast<std::size_t>(columns.y - columns.x);
+    counts.pixels += count;
+    counts.pixels_uncovered += meanColors(row.sums + columns.x, count, pixels);
+    for (int x = columns.x; x < columns.y; x += kTogether) {
+      const int beyond = std::min(x + kTogether, columns.y);
+      if (mayHoldCracks(row.nearest + x, row.stride, static_cast<std::size_t>(beyond - x),
+                        R::kCrackDepth)) {
+        counts.pixels_bridged += closeCracks(row, x, beyond, pixels + 4 * (x - columns.x));
       }
-      counts.pixels_uncovered += !covered;
     }
-    counts.pixels += static_cast<std::size_t>(columns.y - columns.x);
   });
 }
 

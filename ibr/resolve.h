@@ -19,9 +19,9 @@ struct RegionPart {
 void resolvePainted(const RegionPart& part, const WarpWindow& window, Image& out,
                     WarpCounts& counts) noexcept;
 
-/// Turns weighted sums into colours.  A pixel between two of one nearer surface, left and right or
+/// Turns sums into mean colours.  A pixel between two of one nearer surface, left and right or
 /// above and below, takes their mean: it is a crack in that surface.
-void resolveWeighted(const RegionPart& part, const WarpWindow& window, Image& out,
-                     WarpCounts& counts) noexcept;
+void resolveMeans(const RegionPart& part, const WarpWindow& window, Image& out,
+                  WarpCounts& counts) noexcept;
 
 }  // namespace enfilade

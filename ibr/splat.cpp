@@ -13,7 +13,7 @@ constexpr std::array<SplatInfo, 7> kSplats = {{
     {Splat::kCross, "cross", "a pixel and the four beside it"},
     {Splat::kSized, "sized", "as large as the sample's patch of surface appears"},
     {Splat::kNearest, "nearest", "of the nearest surface the sample nearest to the pixel's centre"},
-    {Splat::kBlend, "blend", "of the nearest surface the weighted mean"},
+    {Splat::kMean, "mean", "of the nearest surface the mean of what covers the pixel's centre"},
 }};
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace enfilade {
 /// And beyond it, by a depth a pixel: of the samples whose patch covers a pixel's centre the
 /// nearest surface counts, and of that surface
 /// - kNearest: the sample that falls nearest to the pixel's centre, as patches go
-/// - kBlend: the mean, by weights that fall off steeply from the sample's middle
+/// - kMean: the mean of all that cover it
 /// Then a pixel between two of one nearer surface is taken for a crack in it, and closed.
 /// Source: Rafferty et al. 1998, sec. 3.1.
-enum class Splat : std::uint8_t { k1x1, k2x2, k3x3, kCross, kSized, kNearest, kBlend };
+enum class Splat : std::uint8_t { k1x1, k2x2, k3x3, kCross, kSized, kNearest, kMean };
 
 struct SplatInfo {
   Splat splat;

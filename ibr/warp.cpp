@@ -153,10 +153,10 @@ void RegionWarp::warpFragment(const Fragment& fragment, WarpCounts& sum) const n
   const glm::ivec2 size(desired.width, desired.height);
   box = {glm::max(glm::ivec2(box), glm::ivec2(0)), glm::min(glm::ivec2(box.z, box.w), size)};
   const Pool<WorkingPicture>::Lease picture(target.scratch().pictures);
-  const WarpWindow window = picture->window(box, desired.width, desired.height, with_depth);
+  const WarpWindow window = picture->window(box, desired.width, desired.height, options.splat);
   warpInto(window, fragment);
   const RegionPart part{plan.spans, rows.top, rows.bottom, fragment};
-  (with_depth ? resolveWeighted : resolvePainted)(part, window, target.color, sum);
+  (with_depth ? resolveMeans : resolvePainted)(part, window, target.color, sum);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ enum class Clip : std::uint8_t {
 };
 
 struct WarpOptions {
-  Splat splat = Splat::kBlend;
+  Splat splat = Splat::kMean;
   Clip clip = Clip::kTiles;
   int threads = 0;  ///< [≥ 0] fragments that are warped at once; 0: as many as TBB has threads
 };

@@ -21,7 +21,7 @@ T* clearedWindow(std::vector<T>& pixels, std::size_t size, std::ptrdiff_t origin
 }  // namespace
 
 WarpWindow WorkingPicture::window(const glm::ivec4& box, int frame_width, int frame_height,
-                                  bool with_depth) {
+                                  Splat splat) {
   WarpWindow window;
   window.left = box.x;
   window.top = box.y;
@@ -31,8 +31,11 @@ WarpWindow WorkingPicture::window(const glm::ivec4& box, int frame_width, int fr
   const std::size_t size = static_cast<std::size_t>(window.stride) *
                            static_cast<std::size_t>(frame_height + 2 * kWindowBorder);
   const std::ptrdiff_t origin = kWindowBorder * window.stride + kWindowBorder;
-  if (with_depth) {
-    window.weighted = clearedWindow(weighted_, size, origin, window, glm::vec4(0.0f));
+  if (splat == Splat::kNearest) {
+    window.closeness = clearedWindow(closeness_, size, origin, window, 0.0f);
+  }
+  if (keepsDepth(splat)) {
+    window.sums = clearedWindow(sums_, size, origin, window, std::uint64_t{0});
     window.nearest = clearedWindow(nearest_, size, origin, window, 0.0f);
   } else {
     window.painted = clearedWindow(painted_, size, origin, window, 0u);

@@ -2,6 +2,7 @@
 
 #include "ibr/fragments.h"
 #include "ibr/pool.h"
+#include "ibr/splat.h"
 #include "ibr/warp_window.h"
 
 namespace enfilade {
@@ -11,14 +12,14 @@ namespace enfilade {
 class WorkingPicture {
  public:
   /// A cleared window of a frame of `frame_width` pixels a row: columns [left, right), rows [top,
-  /// bottom); with a depth a pixel, or for painting.
+  /// bottom); with what the splat needs.
   WarpWindow window(const glm::ivec4& left_top_right_bottom, int frame_width, int frame_height,
-                    bool with_depth);
+                    Splat splat);
 
  private:
   std::vector<std::uint32_t> painted_;
-  std::vector<glm::vec4> weighted_;
-  std::vector<float> nearest_;
+  std::vector<std::uint64_t> sums_;
+  std::vector<float> nearest_, closeness_;
 };
 
 /// What is found out about a warp before it begins.

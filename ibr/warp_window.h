@@ -9,11 +9,10 @@ namespace enfilade {
 /// Rules of the splats that go by a sample's footprint.
 struct FootprintRules {
   static constexpr float kScale = 1.1f;          ///< patches are made this much larger
-  static constexpr float kLeastHalf = 0.5f;      ///< [pixels] so that none falls between centres
+  static constexpr float kLeastHalf = 0.4f;      ///< [pixels] of a patch, however small it appears
   static constexpr float kGreatestHalf = 16.0f;  ///< [pixels]
   static constexpr float kSameSurface = 1.03f;   ///< ratio of disparities within one surface
   static constexpr float kCrackDepth = 1.05f;    ///< ratio by which a crack's sides are nearer
-  static constexpr float kLeastWeight = 1e-4f;   ///< keeps a weight above zero at the patch's edge
 };
 
 /// Pixels that may be written around the frame, so that splats need no clipping at its edge.
@@ -25,8 +24,9 @@ struct WarpWindow {
   int left = 0, top = 0, right = 0, bottom = 0;
   std::ptrdiff_t stride = 0;         ///< pixels a row of the working picture
   std::uint32_t* painted = nullptr;  ///< RGBA at the frame's pixel (0, 0); 0: nothing there
-  glm::vec4* weighted = nullptr;     ///< Σ weight·(r, g, b, 1) at pixel (0, 0)
+  std::uint64_t* sums = nullptr;     ///< Σ (r, g, b, 1) at pixel (0, 0), 16 bits each, red lowest
   float* nearest = nullptr;          ///< disparity of the surface nearest so far; 0: none
+  float* closeness = nullptr;        ///< kNearest: how near the sample is to the pixel's centre
 };
 
 }  // namespace enfilade

@@ -46,7 +46,7 @@ void layOn(PlainPixel& a, const glm::dvec3& color, double disparity, double weig
   const auto same = static_cast<double>(R::kSameSurface);
   if (disparity * same < a.nearest) return;
   if (disparity > a.nearest * same) a = {glm::dvec3(0), true, true, disparity, 0};
-  if (splat == Splat::kBlend) {
+  if (splat == Splat::kMean) {
     a.color += weight * color;
     a.weight += weight;
   } else if (weight > a.weight) {
@@ -71,7 +71,7 @@ void add(const Footprint& f, const LdiSample& sample, const PlanarCamera& desire
         const bool in_cross = std::min(std::abs(apart.x), std::abs(apart.y)) <= 0.5;
         if (in_box && (splat != Splat::kCross || in_cross)) paint(pixels[p], color);
       } else if (off.x < 1 && off.y < 1) {
-        const double weight = (std::pow(1 - off.x, 2) + 1e-4) * (std::pow(1 - off.y, 2) + 1e-4);
+        const double weight = splat == Splat::kMean ? 1.0 : (1 - off.x) * (1 - off.y);
         if (splat == Splat::kSized) {
           paint(pixels[p], color);
         } else {

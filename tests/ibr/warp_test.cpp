@@ -97,7 +97,7 @@ class WarpBySplat : public ::testing::TestWithParam<Splat> {};
 
 INSTANTIATE_TEST_SUITE_P(Warp, WarpBySplat,
                          ::testing::Values(Splat::k1x1, Splat::k2x2, Splat::k3x3, Splat::kCross,
-                                           Splat::kSized, Splat::kNearest, Splat::kBlend),
+                                           Splat::kSized, Splat::kNearest, Splat::kMean),
                          [](const auto& test) {
                            return "Splat" + std::string(infoOf(test.param).name);
                          });
