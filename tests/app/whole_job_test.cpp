@@ -84,6 +84,28 @@ TEST_F(WholeJob, InspectDescribesTheHouseAsJson) {
   }
 }
 
+TEST_F(WholeJob, InspectWritesLayersAndCountsTheirSamples) {
+  const ProgramResult result = run({"inspect", "house", "--json", "--layers", "layers", "-q"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const Json layers = Json::parse(result.output)["layers"];
+  std::size_t most = 0, all = 0, deepest = 0;
+  for (const Json& side : layers["sides"]) {
+    const auto samples = side["samples"].get<std::size_t>();
+    if (samples > most) deepest = side["per_layer"].size();
+    most = std::max(most, samples);
+    all += samples;
+  }
+  EXPECT_EQ(layers["all"]["samples"], all);
+  EXPECT_EQ(bytesBelow("layers").size(), deepest);
+  EXPECT_TRUE(fs::exists(path("layers/layer-1.png")));
+  const ProgramResult text =
+      run({"inspect", "house", "--layers", "one", "--portal", "0", "--side", "back"});
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_NE(text.errors.find("of portal 0 as seen from its back"), std::string::npos);
+  EXPECT_NE(text.output.find("\n  all "), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("captures = ring:3\n"), std::string::npos) << text.output;
+}
+
 TEST_F(WholeJob, RaysMakeImagesToo) {
   const Arguments job = {"preprocess",    "model.glb", "--ldi",      "raycast",
                          "--image-size",  "24",        "--captures", "ring:3",
