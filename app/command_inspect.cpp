@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -17,6 +19,9 @@ namespace {
 struct InspectOptions {
   std::string input;
   std::string plan;
+  std::string layers;  ///< a folder for their pictures
+  int portal = -1;     ///< any
+  std::string side;    ///< either
   bool json = false;
 };
 
@@ -30,6 +35,20 @@ std::size_t countImageSides(const House& house, const std::string& folder) {
   return count;
 }
 
+/// Writes the pictures that --layers asks for.
+std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& house, bool quiet) {
+  std::vector<SideLayers> sides = countLayers(house, options.input);
+  if (sides.empty()) {
+    throw Error(ErrorKind::kBadInput, options.input,
+                "has no layered depth images; preprocess the model again without --no-images");
+  }
+  const SideLayers& side = chooseSide(sides, options.portal, options.side);
+  const std::size_t pictures = writeLayerPictures(options.input, side, options.layers);
+  printNote(quiet, fmt::format("{}: {} layers of portal {} as seen from its {}", options.layers,
+                               pictures, side.portal, side.from_front ? "front" : "back"));
+  return sides;
+}
+
 void inspectHouse(const InspectOptions& options, bool quiet) {
   const House house = readHouse(options.input);
   const std::size_t sides = countImageSides(house, options.input);
@@ -37,14 +56,21 @@ void inspectHouse(const InspectOptions& options, bool quiet) {
     writeFileAtomically(options.plan, floorPlanSvg(house));
     printNote(quiet, options.plan + ": the floor plan");
   }
-  printResult(options.json ? houseJson(options.input, house, sides)
-                           : houseText(options.input, house, sides));
+  std::vector<SideLayers> layers;
+  if (!options.layers.empty()) layers = drawLayers(options, house, quiet);
+  printResult(options.json ? houseJson(options.input, house, sides, layers)
+                           : houseText(options.input, house, sides) +
+                                 (layers.empty() ? std::string() : layersText(layers)));
 }
 
 void inspectModel(const InspectOptions& options) {
   if (!options.plan.empty()) {
     throw Error(ErrorKind::kUsage, options.input,
                 "a model has no rooms yet; preprocess it, then inspect the house with --plan");
+  }
+  if (!options.layers.empty()) {
+    throw Error(ErrorKind::kUsage, options.input,
+                "a model has no images yet; preprocess it, then inspect the house with --layers");
   }
   Warnings warnings;
   const Building building = readGltf(options.input, &warnings);
@@ -76,6 +102,24 @@ void addInspectCommand(CLI::App& program, CommandContext& context) {
                    "Draw the floor plan of a house, storey by storey: cells coloured and named, "
                    "portals marked")
       ->type_name("FILE.svg");
+  CLI::Option* layers =
+      command
+          ->add_option("--layers", options->layers,
+                       "Write the layers of a portal's layered depth image as FOLDER/layer-1.png, "
+                       "the nearest, and so on, and print the samples in each")
+          ->type_name("FOLDER");
+  command
+      ->add_option("--portal", options->portal,
+                   "Whose layers to write; without it the portal with the most samples")
+      ->type_name("ID")
+      ->check(limits(0, 1e6))
+      ->needs(layers);
+  command
+      ->add_option("--side", options->side,
+                   "Seen from its front or its back; without it the side with more samples")
+      ->type_name("front|back")
+      ->check(CLI::IsMember({"front", "back"}).description(""))
+      ->needs(layers);
   command->callback([options, &context] {
     context.run = [options, &context] { runInspect(*options, context.quiet); };
   });

@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/help_format.h"
 #include "app/progress.h"
+#include "ibr/capture_plan.h"
 #include "preprocess/preprocess.h"
 
 namespace enfilade {
@@ -17,12 +18,14 @@ struct PreprocessOptions {
   std::string output;
   bool no_images = false;
   PreprocessParameters parameters;
+  std::string captures = capturePlanText(parameters.image.rings);
 };
 
 void runPreprocess(const PreprocessOptions& options, bool quiet) {
-  ProgressPrinter progress(quiet);
   PreprocessParameters parameters = options.parameters;
   parameters.images = !options.no_images;
+  parameters.image.rings = parseCapturePlan(options.captures);
+  ProgressPrinter progress(quiet);
   const PreprocessResult result =
       preprocessBuilding(options.model, options.output, parameters, progress.sink());
   double seconds = 0;
@@ -34,6 +37,10 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
       options.output, graph.cells.size(), graph.portals.size(), graph.storeys.size(),
       triangleCount(result.house.building), result.images,
       static_cast<double>(result.image_bytes) / 1e6, seconds));
+}
+
+std::map<std::string, LdiMaking> ldiMakingNames() {
+  return {{"warp", LdiMaking::kWarp}, {"raycast", LdiMaking::kRayCast}};
 }
 
 /// One option of `group`; the default and the limits show in its help.
@@ -86,8 +93,22 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
   ImageParameters& image = options.parameters.image;
   addNumber(command, kGroup, "--image-size", image.image_size, "Rows of an image [pixels]",
             "PIXELS", 16, 4096);
-  addNumber(command, kGroup, "--captures", image.captures,
-            "Viewpoints on the semicircle before a portal", "N", 1, 180);
+  command
+      .add_option("--captures", options.captures,
+                  "Viewpoints before a portal: rings of ring:COUNT, joined by commas, each perhaps "
+                  "with @HEIGHT above the eye [m] and /ANGLE of the outermost [degrees]; the "
+                  "paper's is ring:13")
+      ->type_name("PLAN")
+      ->capture_default_str()
+      ->group(kGroup);
+  command
+      .add_option("--ldi", image.ldi,
+                  "How a layered depth image is made: warp captures into one, or raycast, which "
+                  "keeps what rays of the central view meet and some viewpoint sees")
+      ->type_name("HOW")
+      ->transform(CLI::CheckedTransformer(ldiMakingNames(), CLI::ignore_case).description(""))
+      ->default_str("warp")
+      ->group(kGroup);
   addNumber(command, kGroup, "--switch-distance", image.switch_distance,
             "Nearer to a portal than this the geometry is drawn [m]", "M", 0.05, 100.0);
   addNumber(command, kGroup, "--eye-height", options.parameters.eye_height,

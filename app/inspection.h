@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ldi_layers.h"
 #include "portals/house.h"
 #include "scene/building.h"
 
@@ -38,6 +39,8 @@ std::string modelJson(const std::string& file, const Building& building,
 
 /// What `enfilade inspect` prints of a house.  `image_sides` counts the portal sides with an image.
 std::string houseText(const std::string& folder, const House& house, std::size_t image_sides);
-std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides);
+/// With what is in the layers of its images, if that was asked for.
+std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides,
+                      const std::vector<SideLayers>& layers = {});
 
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/inspection.h"
 #include "app/portal_size.h"
@@ -86,6 +87,25 @@ Json portalsJson(const CellGraph& graph) {
   return json;
 }
 
+Json layerJson(const std::vector<std::size_t>& samples) {
+  const std::size_t sum = std::accumulate(samples.begin(), samples.end(), std::size_t{0});
+  Json percent = Json::array();
+  for (const std::size_t count : samples) {
+    percent.push_back(100.0 * static_cast<double>(count) / static_cast<double>(sum));
+  }
+  return {{"samples", sum}, {"per_layer", samples}, {"percent", percent}};
+}
+
+Json layersJson(const std::vector<SideLayers>& sides) {
+  Json json{{"all", layerJson(samplesInAll(sides))}, {"sides", Json::array()}};
+  for (const SideLayers& side : sides) {
+    Json one{{"portal", side.portal}, {"side", side.from_front ? "front" : "back"}};
+    one.update(layerJson(side.samples));
+    json["sides"].push_back(one);
+  }
+  return json;
+}
+
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -105,23 +125,26 @@ std::string modelJson(const std::string& file, const Building& building,
                  {"problems", problems}});
 }
 
-std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides) {
-  return dumped({{"schema", 1},
-                 {"kind", "house"},
-                 {"folder", folder},
-                 {"model", {{"name", house.info.model_name}, {"sha256", house.info.model_sha256}}},
-                 {"tool_version", house.info.tool_version},
-                 {"building", buildingJson(describeBuilding(house.building))},
-                 {"storeys", storeysJson(house.graph)},
-                 {"cells", cellsJson(house.graph)},
-                 {"portals", portalsJson(house.graph)},
-                 {"image_sides", image_sides},
-                 {"switch_distance_m", tidy(house.switch_distance)},
-                 {"eye_height_m", tidy(house.eye_height)},
-                 {"parameters", house.info.parameters},
-                 {"statistics", house.info.statistics},
-                 {"log", house.info.log},
-                 {"problems", houseProblems(house)}});
+std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides,
+                      const std::vector<SideLayers>& layers) {
+  Json json{{"schema", 1},
+            {"kind", "house"},
+            {"folder", folder},
+            {"model", {{"name", house.info.model_name}, {"sha256", house.info.model_sha256}}},
+            {"tool_version", house.info.tool_version},
+            {"building", buildingJson(describeBuilding(house.building))},
+            {"storeys", storeysJson(house.graph)},
+            {"cells", cellsJson(house.graph)},
+            {"portals", portalsJson(house.graph)},
+            {"image_sides", image_sides},
+            {"switch_distance_m", tidy(house.switch_distance)},
+            {"eye_height_m", tidy(house.eye_height)},
+            {"parameters", house.info.parameters},
+            {"statistics", house.info.statistics},
+            {"log", house.info.log},
+            {"problems", houseProblems(house)}};
+  if (!layers.empty()) json["layers"] = layersJson(layers);
+  return dumped(json);
 }
 
 }  // namespace enfilade

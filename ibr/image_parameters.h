@@ -4,22 +4,27 @@
 
 namespace enfilade {
 
-/// Viewpoints on a semicircle beside the main one, at another height.
+/// Viewpoints on a semicircle before a portal, all at one height.
 struct CaptureRing {
-  int captures = 0;            ///< [0…180] viewpoints, evenly by angle
-  float capture_angle = 0.0f;  ///< [degrees] [0…85] the outermost, from the portal's normal
-  float above_eye = 0.0f;      ///< [m] how much higher than the eye
+  int captures = 13;       ///< [1…180] viewpoints, evenly by angle
+  float angle = 75.0f;     ///< [degrees] [0…85] the outermost, from the portal's normal
+  float above_eye = 0.0f;  ///< [m] [−3…3] how much higher than the eye
+};
+
+/// How the layered depth image of a portal is made.
+enum class LdiMaking {
+  kWarp,     ///< captures, warped into the central view (Rafferty et al. 1998, Figure 4b)
+  kRayCast,  ///< rays of the central view, each kept wherever a viewpoint sees it (Figure 4a)
 };
 
 /// How the images of a portal are captured.  Lengths in metres.
 struct ImageParameters {
   int image_size =
-      256;            ///< [pixels] [16…4096] rows of a capture; columns follow the portal's shape
-  int captures = 13;  ///< [1…180] viewpoints along the semicircle
-  float capture_angle =
-      75.0f;  ///< [degrees] [0…85] the outermost viewpoint, from the portal's normal
-  std::vector<CaptureRing> more_rings = {
-      {6, 62.5f, -0.5f}};        ///< for what hides under tables; empty: the paper's one ring
+      256;  ///< [pixels] [16…4096] rows of a capture; columns follow the portal's shape
+  std::vector<CaptureRing> rings = {
+      {13, 75.0f, 0.0f},  ///< the paper's one ring …
+      {6, 62.5f, -0.5f}};  ///< … and another for what hides under tables; the first is the main one
+  LdiMaking ldi = LdiMaking::kWarp;
   int rays = 2;                  ///< [1…4] rays a pixel of a capture, across and down
   float switch_distance = 1.5f;  ///< [m] [> 0] radius of the semicircle
   float portal_margin = 0.01f;   ///< [m] [≥ 0] captures look this far beyond the portal's edge,

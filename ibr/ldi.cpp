@@ -20,10 +20,19 @@ std::uint32_t packPlace(float x, float y, float disparity) noexcept {
 }
 
 std::uint8_t packFootprint(float across, float down) noexcept {
+  // The greatest size of each code but the last.  The small allowance keeps a size of exactly one
+  // pixel at its own code.
+  static const std::array<float, 15> greatest = [] {
+    std::array<float, 15> table{};
+    for (int i = 0; i < 15; ++i) {
+      table[static_cast<std::size_t>(i)] = std::exp2(0.5f * (static_cast<float>(i - 4) + 0.01f));
+    }
+    return table;
+  }();
   const auto code = [](float size) {
-    // The small allowance keeps a size of exactly one pixel at its own code.
-    const float steps = std::ceil(2.0f * std::log2(std::max(size, 0.01f)) - 0.01f) + 4.0f;
-    return static_cast<unsigned>(std::clamp(steps, 0.0f, 15.0f));
+    unsigned smaller = 0;
+    for (const float most : greatest) smaller += size > most;
+    return smaller;
   };
   return static_cast<std::uint8_t>(code(across) << 4 | code(down));
 }

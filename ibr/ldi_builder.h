@@ -1,11 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "ibr/capture_samples.h"
 #include "ibr/ldi.h"
-#include "ibr/warp_transform.h"
 
 namespace enfilade {
 
@@ -42,32 +42,40 @@ class LdiBuilder {
   Ldi finish() const;
 
  private:
-  struct Node {
-    float x, y;          ///< pixels of the central image
-    float disparity;     ///< in the central view
-    float area;          ///< of the patch of surface that its pixel saw [m²]
-    float across, down;  ///< size of that patch in the central view [pixels]
-    std::uint8_t r, g, b;
-    std::uint32_t capture;
-    std::uint32_t next;  ///< of the same pixel, farther
+  /// What decides whether a sample stays.
+  struct Layer {
+    float disparity;        ///< in the central view
+    float area;             ///< of the patch of surface that its pixel saw [m²]
+    std::uint32_t capture;  ///< its number
+    std::uint32_t farther;  ///< the next layer of the pixel
   };
+  /// What else there is to a sample.
+  struct Look {
+    float x, y;          ///< pixels from the tile's corner
+    float across, down;  ///< size of its patch in the central view [pixels]
+    std::uint8_t r, g, b;
+  };
+  /// All layers of a tile stand together: a capture fills tile after tile, so what it needs next is
+  /// mostly in the cache.
   struct Tile {
-    int x, y;                          ///< in tiles from the central image's corner
-    std::vector<std::uint32_t> heads;  ///< nearest node of each pixel
+    int x, y;                                                ///< from the central image's corner
+    std::array<std::uint32_t, kLdiTile * kLdiTile> nearest;  ///< layer of each pixel
+    std::vector<Layer> layers;
+    std::vector<Look> looks;  ///< one a layer
+    std::uint32_t free;       ///< first of the layers that were removed
   };
 
-  std::uint32_t* headAt(float x, float y);
-  bool meets(const Node& a, const Node& b) const noexcept;
-  void place(const Node& node);
-  std::vector<const Tile*> tilesInUse() const;
-  void appendSamples(const Tile& tile, Ldi& ldi) const;
+  Tile* tileAt(float x, float y);
+  bool meets(const Layer& a, const Layer& b) const noexcept;
+  bool stays(const Tile& tile, std::uint32_t nearest, const Layer& layer) const noexcept;
+  void removeThoseItMeets(Tile& tile, std::uint32_t& nearest, const Layer& layer) const noexcept;
+  void place(Tile& tile, std::uint32_t& nearest, Layer layer, const Look& look) const;
 
   PlanarCamera central_;
   float threshold_;
   glm::ivec2 least_{0}, tiles_across_{0};  ///< of the tiles that may be used
   std::vector<std::uint32_t> tile_at_;     ///< index in tiles_, or none
   std::vector<Tile> tiles_;
-  std::vector<Node> nodes_;
   std::uint32_t captures_ = 0;
 };
 

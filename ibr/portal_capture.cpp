@@ -1,10 +1,9 @@
 #include "ibr/portal_capture.h"
 
 #include <algorithm>
-#include <span>
 
-#include "ibr/convex_region.h"
 #include "ibr/ldi_builder.h"
+#include "ibr/portal_window.h"
 #include "portals/polygon.h"
 
 namespace enfilade {
@@ -32,18 +31,6 @@ namespace {
 /// Of what is seen past the portal's edge much is the wall's inside: it yields to what is seen
 /// through the portal.
 constexpr float kDoubtBesideThePortal = 1e4f;
-
-/// The pixels of a capture's window that look through `polygon`, which lies in the image plane.
-std::vector<glm::ivec2> pixelsThrough(std::span<const glm::vec3> polygon,
-                                      const PlanarCamera& camera) {
-  std::vector<glm::vec2> outline;
-  for (const glm::vec3& corner : polygon) {
-    outline.emplace_back(projectPoint(camera, glm::dvec3(corner)));
-  }
-  std::vector<glm::ivec2> spans(static_cast<std::size_t>(camera.height), glm::ivec2(0));
-  fillConvexPolygon(outline, camera.width, camera.height, spans);
-  return spans;
-}
 
 /// Sets δ = 0 in the pixels of a capture that look past the portal by more than the margin.
 void maskBeyondMargin(DepthImage& image, const Portal& portal, float margin) {

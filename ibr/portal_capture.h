@@ -18,18 +18,19 @@ using ObjectsInView = std::function<std::vector<std::uint32_t>(const View& view)
 /// m wide and high).
 bool canShowImages(const Portal& portal);
 
-/// Viewpoints on the semicircle of radius `parameters.switch_distance` before the middle of the
-/// portal's bounding rectangle, at height `eye_y`, from left to right as the viewer sees it; an odd
-/// count has the central one in the middle.  Before a wide portal it is half an ellipse that goes
-/// around the portal, so that every horizontal line of sight through the portal from an eye farther
-/// than the switch distance from its nearest point crosses it.
-/// Source: Rafferty et al. 1998, sec. 4.
+/// The viewpoints of `ring` on the semicircle of radius `parameters.switch_distance` before the
+/// middle of the portal's bounding rectangle, from left to right as the viewer sees it, at their
+/// height above `eye_y` [m, world]; an odd count has the central one in the middle.  Before a wide
+/// portal it is half an ellipse that goes around the portal, so that every horizontal line of sight
+/// through the portal from an eye farther than the switch distance from its nearest point crosses
+/// it. Source: Rafferty et al. 1998, sec. 4.
 std::vector<glm::dvec3> semicircleViewpoints(const Portal& portal, bool from_front, float eye_y,
-                                             const ImageParameters& parameters);
+                                             const ImageParameters& parameters,
+                                             const CaptureRing& ring);
 
-/// Every viewpoint that an LDI is captured from: the central one first, then the main semicircle
-/// from the middle outward, then `more_rings`.  Those that would not stand before the portal's
-/// plane (by 5 cm) are left out.
+/// Every viewpoint that an LDI is made from: the central one first, then ring after ring of
+/// `parameters.rings`, each from the middle outward.  Those that would not stand before the
+/// portal's plane (by 5 cm) are left out.
 std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front, float eye_y,
                                           const ImageParameters& parameters);
 

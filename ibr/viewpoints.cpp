@@ -17,15 +17,15 @@ glm::dvec2 ringAxes(const PortalFrame& frame, const ImageParameters& parameters)
 }
 
 std::vector<glm::dvec3> viewpointsOnRing(const PortalFrame& frame, const glm::dvec2& axes,
-                                         double height, int count, double outermost_degrees) {
+                                         double eye_y, const CaptureRing& ring) {
   const glm::dvec3 ahead = glm::cross(frame.right, glm::dvec3(0, 1, 0));  // level, to the viewer
   std::vector<glm::dvec3> viewpoints;
-  for (int i = 0; i < count; ++i) {
-    const double along = count == 1 ? 0.0 : 2.0 * i / (count - 1) - 1.0;
-    const double angle = glm::radians(along * outermost_degrees);
+  for (int i = 0; i < ring.captures; ++i) {
+    const double along = ring.captures == 1 ? 0.0 : 2.0 * i / (ring.captures - 1) - 1.0;
+    const double angle = glm::radians(along * static_cast<double>(ring.angle));
     glm::dvec3 at =
         frame.center + axes.x * std::sin(angle) * frame.right + axes.y * std::cos(angle) * ahead;
-    at.y = height;
+    at.y = eye_y + static_cast<double>(ring.above_eye);
     viewpoints.push_back(at);
   }
   return viewpoints;
@@ -42,19 +42,20 @@ bool canShowImages(const Portal& portal) {
 }
 
 std::vector<glm::dvec3> semicircleViewpoints(const Portal& portal, bool from_front, float eye_y,
-                                             const ImageParameters& parameters) {
+                                             const ImageParameters& parameters,
+                                             const CaptureRing& ring) {
   const PortalFrame frame = portalFrame(portal, from_front);
-  return viewpointsOnRing(frame, ringAxes(frame, parameters), static_cast<double>(eye_y),
-                          parameters.captures, static_cast<double>(parameters.capture_angle));
+  return viewpointsOnRing(frame, ringAxes(frame, parameters), static_cast<double>(eye_y), ring);
 }
 
 std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front, float eye_y,
                                           const ImageParameters& parameters) {
   const PortalFrame frame = portalFrame(portal, from_front);
-  const glm::dvec2 axes = ringAxes(frame, parameters);
-  const auto height = static_cast<double>(eye_y);
-  std::vector<glm::dvec3> viewpoints = viewpointsOnRing(frame, axes, height, 1, 0.0);
-  const auto add = [&](std::vector<glm::dvec3> ring) {
+  std::vector<glm::dvec3> viewpoints =
+      semicircleViewpoints(portal, from_front, eye_y, parameters, {1, 0.0f, 0.0f});
+  for (const CaptureRing& plan : parameters.rings) {
+    std::vector<glm::dvec3> ring =
+        semicircleViewpoints(portal, from_front, eye_y, parameters, plan);
     std::stable_sort(ring.begin(), ring.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
       // To the micrometre, so that rounding does not decide between left and right.
       const auto aside = [&](const glm::dvec3& p) {
@@ -67,11 +68,6 @@ std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front,
         viewpoints.push_back(at);
       }
     }
-  };
-  add(semicircleViewpoints(portal, from_front, eye_y, parameters));
-  for (const CaptureRing& ring : parameters.more_rings) {
-    add(viewpointsOnRing(frame, axes, height + static_cast<double>(ring.above_eye), ring.captures,
-                         static_cast<double>(ring.capture_angle)));
   }
   std::erase_if(viewpoints, [&](const glm::dvec3& at) {
     return glm::dot(at - frame.center, frame.toward) < kNearestViewpoint;

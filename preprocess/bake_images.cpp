@@ -1,12 +1,15 @@
 #include "preprocess/bake_images.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
+#include <numeric>
+#include <thread>
 
 #include "ibr/ldi_file.h"
 #include "ibr/portal_capture.h"
+#include "ibr/raycast_ldi.h"
+#include "preprocess/work_crew.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene/file_io.h"
@@ -35,43 +38,133 @@ bool getsImage(const Portal& portal, bool from_front) {
 
 namespace {
 
+/// A side of a portal that gets images: what is baked at once.
+struct PortalSide {
+  PortalId portal;
+  bool from_front;
+};
+
+std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
+  std::vector<PortalSide> sides;
+  for (PortalId id = 0; id < graph.portals.size(); ++id) {
+    for (const bool from_front : {true, false}) {
+      if (getsImage(graph.portals[id], from_front)) sides.push_back({id, from_front});
+    }
+  }
+  return sides;
+}
+
 // Farther than any corner of the building is from any viewpoint before a portal.
 double farDepth(const House& house, const ImageParameters& parameters) {
   return 1.05 * static_cast<double>(glm::length(worldBounds(house.building).size())) +
          2.0 * static_cast<double>(parameters.switch_distance);
 }
 
+/// Doors stand open in the images.
+std::vector<std::uint8_t> doorsOf(const House& house) {
+  std::vector<std::uint8_t> doors;
+  for (const ObjectRole role : house.object_roles) doors.push_back(role == ObjectRole::kDoor);
+  return doors;
+}
+
+/// What all sides need, and nothing changes.
+struct Baking {
+  Baking(const House& the_house, const ImageParameters& the_parameters, const std::string& to)
+      : house(the_house),
+        parameters(the_parameters),
+        folder(to),
+        index(house),
+        far_depth(farDepth(house, parameters)) {
+    if (parameters.ldi == LdiMaking::kRayCast) {
+      caster = std::make_unique<RayCaster>(house.building, doorsOf(house), 1);
+    }
+  }
+
+  const House& house;
+  const ImageParameters& parameters;
+  const std::string& folder;
+  ObjectIndex index;
+  double far_depth;
+  std::unique_ptr<RayCaster> caster;  ///< if images are made by rays
+};
+
+/// Bakes one side after another on one thread, with an OpenGL context of its own.
+class SideBaker {
+ public:
+  SideBaker(const Baking& baking, int threads_to_draw)
+      : baking_(baking),
+        context_(createOsMesaContext(threads_to_draw)),
+        renderer_(*context_, baking.house.building) {}
+
+  /// Writes the images of `side` into its folder; their bytes.
+  std::uint64_t bake(const PortalSide& side) {
+    const std::string folder = portalImageFolder(baking_.folder, side.portal, side.from_front);
+    createFolders(folder);
+    return bakeLdiFile(side, folder + "/ldi.bin");
+  }
+
+ private:
+  std::uint64_t bakeLdiFile(const PortalSide& side, const std::string& file) {
+    writeLdi(file, makeLdi(side));
+    return std::filesystem::file_size(file);
+  }
+
+  Ldi makeLdi(const PortalSide& side) {
+    const auto& [house, parameters, folder, index, far_depth, caster] = baking_;
+    const Portal& portal = house.graph.portals[side.portal];
+    const ObjectsInView objects = [&](const View& view) {
+      return baking_.index.visible(
+          cullBehindPortal(baking_.house.graph, view, side.portal, side.from_front));
+    };
+    const float eye_y = eyeLevelBefore(house.graph, portal, side.from_front, house.eye_height);
+    return caster
+               ? raycastLdi(*caster, portal, side.from_front, eye_y, parameters, objects, far_depth)
+               : bakeLdi(renderer_, portal, side.from_front, eye_y, parameters, objects, far_depth);
+  }
+
+  const Baking& baking_;
+  std::unique_ptr<GlContext> context_;
+  Renderer renderer_;
+};
+
+/// How the threads are shared out.
+struct Hands {
+  int bakers;   ///< each with a copy of the building in its context
+  int drawing;  ///< llvmpipe's, which all contexts share
+};
+
+/// Bakers that draw for themselves keep two cores the busiest (1.9 of 2; one baker with llvmpipe's
+/// threads 1.4).  But llvmpipe fills the pixels of one context at a time, so beyond a few bakers
+/// further threads help it at that.  Rays use all threads for one side.
+Hands handsFor(int threads, const ImageParameters& parameters) {
+  constexpr int kMostBakers = 4;
+  if (threads <= 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+  if (parameters.ldi == LdiMaking::kRayCast) return {1, 1};
+  return {std::min(threads, kMostBakers), threads > kMostBakers ? threads - kMostBakers : 1};
+}
+
 }  // namespace
 
 BakedImages bakeImages(const House& house, const ImageParameters& parameters,
                        const std::string& folder, int threads, const ProgressSink& progress) {
-  const auto context = createOsMesaContext(threads);
-  Renderer renderer(*context, house.building);
-  const ObjectIndex index(house);
-  const double far_depth = farDepth(house, parameters);
-  BakedImages baked;
-  for (PortalId id = 0; id < house.graph.portals.size(); ++id) {
-    const Portal& portal = house.graph.portals[id];
-    for (const bool from_front : {true, false}) {
-      if (!getsImage(portal, from_front)) continue;
-      const auto objects = [&](const View& view) {
-        return index.visible(cullBehindPortal(house.graph, view, id, from_front));
-      };
-      const float eye_y = eyeLevelBefore(house.graph, portal, from_front, house.eye_height);
-      const Ldi ldi = bakeLdi(renderer, portal, from_front, eye_y, parameters, objects, far_depth);
-      const std::string images = portalImageFolder(folder, id, from_front);
-      createFolders(images);
-      const std::string file = images + "/ldi.bin";
-      writeLdi(file, ldi);
-      ++baked.images;
-      baked.bytes += std::filesystem::file_size(file);
-    }
-    if (progress) {
-      progress("bake the portals' images",
-               static_cast<double>(id + 1) / static_cast<double>(house.graph.portals.size()));
-    }
-  }
-  return baked;
+  const Baking baking(house, parameters, folder);
+  const std::vector<PortalSide> sides = sidesWithImages(house.graph);
+  std::vector<std::uint64_t> bytes(sides.size());
+  std::mutex telling;
+  std::size_t done = 0;
+  const Hands hands = handsFor(threads, parameters);
+  shareOutJobs(sides.size(), hands.bakers, [&] {
+    return [&, baker = std::make_shared<SideBaker>(baking, hands.drawing)](std::size_t i) {
+      bytes[i] = baker->bake(sides[i]);
+      const std::lock_guard lock(telling);
+      ++done;
+      if (progress) {
+        progress("bake the portals' images",
+                 static_cast<double>(done) / static_cast<double>(sides.size()));
+      }
+    };
+  });
+  return {sides.size(), std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0})};
 }
 
 }  // namespace enfilade

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "ibr/capture_plan.h"
 #include "preprocess/authored_names.h"
 #include "preprocess/bake_images.h"
 #include "preprocess/cut_cells.h"
@@ -79,8 +80,8 @@ std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p)
           {"smallest_room_m2", number(p.cells.smallest_room)},
           {"smallest_door_m", number(p.cells.smallest_door)},
           {"image_size_px", number(p.image.image_size)},
-          {"captures", number(p.image.captures)},
-          {"capture_angle_deg", number(p.image.capture_angle)},
+          {"captures", capturePlanText(p.image.rings)},
+          {"ldi", p.image.ldi == LdiMaking::kRayCast ? "raycast" : "warp"},
           {"switch_distance_m", number(p.image.switch_distance)},
           {"ldi_half_width", number(p.image.ldi_half_width)},
           {"depth_threshold_px", number(p.image.depth_threshold)},

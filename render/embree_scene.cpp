@@ -33,7 +33,8 @@ struct EmbreeScene::Filter {
                      float u, float v, const glm::vec3& direction, const glm::vec3& normal,
                      float distance) {
     const Material& material = filtered.surfaces->material(filtered.object);
-    if (!material.double_sided && glm::dot(normal, direction) > 0.0f) return true;
+    const bool one_sided = !material.double_sided && !query.meets_backs;
+    if (one_sided && glm::dot(normal, direction) > 0.0f) return true;
     if (material.alpha_mode == AlphaMode::kBlend) return query.through_blended;
     if (material.alpha_mode != AlphaMode::kMask) return false;
     const Surfaces& surfaces = *filtered.surfaces;

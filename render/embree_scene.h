@@ -18,6 +18,7 @@ struct RayQuery {
   bool through_blended = false;
   glm::vec3 right{0};  ///< as in PixelRay
   glm::vec3 down{0};
+  bool meets_backs = false;  ///< back faces of single-sided material are not passed
 };
 
 /// Embree's view of a building: one geometry an object, whose number is the object's.

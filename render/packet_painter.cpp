@@ -46,7 +46,7 @@ struct PacketPainter::Packet {
   }
 
   void trace() noexcept {
-    const RayQuery query{false, rays.right, rays.down};
+    const RayQuery query{false, rays.right, rays.down, false};
     bool more = true;
     for (int layer = 0; more && layer < kMostLayers; ++layer) {
       scene.intersect(valid, hits, query, true);

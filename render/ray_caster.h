@@ -27,6 +27,29 @@ struct RayHit {
   std::uint32_t triangle = kNone;  ///< of the object's mesh
 };
 
+/// A ray of a picture.  Distances along it count in lengths of its direction.
+struct PictureRay {
+  glm::vec3 origin{0};            ///< world [m]
+  glm::vec3 direction{0, 0, -1};  ///< [m] of any length
+  glm::vec3 right{0};             ///< what one pixel to the right adds to the direction
+  glm::vec3 down{0};              ///< one pixel down
+  float least = 0, most = 0;      ///< distances
+};
+
+/// What a ray of a picture shows.
+struct Sight {
+  float distance = -1;   ///< of the first surface that is not blended; < 0: none, the sky
+  glm::u8vec3 color{0};  ///< sRGB; blended material over what lies behind it
+};
+
+/// A surface on a ray, hidden or not.
+struct SurfaceOnRay {
+  float distance = 0;
+  std::uint32_t object = kNone;  ///< index in Building::objects
+  glm::vec3 normal{0};           ///< not unit; towards its front
+  bool one_sided = false;        ///< it is seen from its front only
+};
+
 /// Primary rays through a building by Embree, shaded like the renderer (textures trilinear, masks
 /// tested, blended material blended): what a user without a GPU would pick today.  The same pixels
 /// for any number of threads.  Where surfaces coincide any one of them is met, the same in every
@@ -53,6 +76,14 @@ class RayCaster {
   /// The same for many rays at once, on all threads: hits[i] is what rays[i] met.  Rays that start
   /// near each other in about one direction are best kept together.
   void cast(std::span<const Ray> rays, bool through_blended, std::span<RayHit> hits) const;
+
+  /// What a pixel of a picture shows, as render() paints it.  Thread-safe.
+  Sight look(const PictureRay& ray) const noexcept;
+
+  /// Appends every surface on the ray, nearest first, whichever side is met, but masked-out texels
+  /// and blended material.  Of surfaces within a millionth of their distance one is named.
+  /// Thread-safe.
+  void surfacesOn(const PictureRay& ray, std::vector<SurfaceOnRay>& surfaces) const;
 
  private:
   struct Impl;

@@ -151,5 +151,22 @@ TEST_F(BadInput, APlanOfAModel) {
   expectRefusal({"inspect", "model.glb", "--plan", "plan.svg"}, 1, "preprocess it");
 }
 
+TEST_F(BadInput, LayersThatThereAreNot) {
+  expectRefusal({"inspect", "model.glb", "--layers", "new"}, 1, "preprocess it");
+  expectRefusal({"inspect", "house", "--layers", "new"}, 2, "house: has no layered depth images");
+  expectRefusal({"inspect", "house", "--layers", "new", "--side", "left"}, 1, "left");
+  expectRefusal({"inspect", "house", "--portal", "0"}, 1, "--layers");
+}
+
+TEST_F(BadInput, APlanOfCapturesThatIsNone) {
+  const Arguments preprocess = {"preprocess", "model.glb", "-o", "new", "--captures"};
+  for (const char* plan : {"13", "ring", "ring:0", "ring:13,", "ring:6@high", "ring:6/89"}) {
+    Arguments arguments = preprocess;
+    arguments.emplace_back(plan);
+    expectRefusal(arguments, 1, "such as ring:13,ring:6@-0.5/62.5");
+  }
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "--ldi", "magic"}, 1, "magic");
+}
+
 }  // namespace
 }  // namespace enfilade

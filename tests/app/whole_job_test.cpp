@@ -24,7 +24,7 @@ class WholeJob : public ::testing::Test {
     here_ = std::make_unique<TemporaryFolder>();
     writeGlb(*here_ / "model.glb", twoRoomHouse().building);
     preprocessed_ = run({"preprocess", "model.glb", "-o", "house", "--image-size", "32",
-                         "--captures", "3", "--sight-lines", "5000", "-j", "2"});
+                         "--captures", "ring:3", "--sight-lines", "5000", "-j", "2"});
     toured_ = run({"tour", "house", "-o", "tour.json", "--frames", "12", "-q"});
     played_ = run({"play", "house", "--tour", "tour.json", "--methods",
                    "geometry,raycast,culling,ldi", "--size", "80x64", "--quality", "--frames-dir",
@@ -84,6 +84,46 @@ TEST_F(WholeJob, InspectDescribesTheHouseAsJson) {
   }
 }
 
+TEST_F(WholeJob, InspectWritesLayersAndCountsTheirSamples) {
+  const ProgramResult result = run({"inspect", "house", "--json", "--layers", "layers", "-q"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const Json layers = Json::parse(result.output)["layers"];
+  std::size_t most = 0, all = 0, deepest = 0;
+  for (const Json& side : layers["sides"]) {
+    const auto samples = side["samples"].get<std::size_t>();
+    if (samples > most) deepest = side["per_layer"].size();
+    most = std::max(most, samples);
+    all += samples;
+  }
+  EXPECT_EQ(layers["all"]["samples"], all);
+  EXPECT_EQ(bytesBelow("layers").size(), deepest);
+  EXPECT_TRUE(fs::exists(path("layers/layer-1.png")));
+  const ProgramResult text =
+      run({"inspect", "house", "--layers", "one", "--portal", "0", "--side", "back"});
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_NE(text.errors.find("of portal 0 as seen from its back"), std::string::npos);
+  EXPECT_NE(text.output.find("\n  all "), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("captures = ring:3\n"), std::string::npos) << text.output;
+}
+
+TEST_F(WholeJob, RaysMakeImagesToo) {
+  const Arguments job = {"preprocess",    "model.glb", "--ldi",      "raycast",
+                         "--image-size",  "24",        "--captures", "ring:3",
+                         "--sight-lines", "5000",      "-q"};
+  Arguments one = job, two = job;
+  one.insert(one.end(), {"-o", "rays", "-j", "1"});
+  two.insert(two.end(), {"-o", "rays-2", "-j", "2"});
+  ASSERT_EQ(run(one).status, 0);
+  ASSERT_EQ(run(two).status, 0);
+  EXPECT_EQ(bytesBelow("rays"), bytesBelow("rays-2"));
+  ASSERT_EQ(run({"play", "rays", "--tour", "tour.json", "--methods", "ldi", "--size", "80x64",
+                 "--quality", "-q", "-o", "report-rays"})
+                .status,
+            0);
+  const Json summary = Json::parse(textOf(path("report-rays/summary.json")));
+  EXPECT_GT(summary["methods"]["ldi"]["psnr_db"]["mean"], 20);
+}
+
 TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
   const CameraPath tour = readCameraPath(path("tour.json"));
   EXPECT_EQ(tour.poses.size(), 12u);
@@ -136,8 +176,9 @@ TEST_F(WholeJob, TheSamePixelsWithOneThreadAsWithTwo) {
 }
 
 TEST_F(WholeJob, TheSameHouseWithOneThreadAsWithTwo) {
-  const ProgramResult result = run({"preprocess", "model.glb", "-o", "house-1", "--image-size",
-                                    "32", "--captures", "3", "--sight-lines", "5000", "-j", "1"});
+  const ProgramResult result =
+      run({"preprocess", "model.glb", "-o", "house-1", "--image-size", "32", "--captures", "ring:3",
+           "--sight-lines", "5000", "-j", "1"});
   ASSERT_EQ(result.status, 0) << result.errors;
   const auto files = bytesBelow("house"), again = bytesBelow("house-1");
   ASSERT_EQ(files.size(), again.size());

@@ -137,8 +137,7 @@ TEST(BuildLdi, KnowsNothingOfWhatLiesBesideThePortal) {
   gable.polygon = {{-0.5f, 0, 0}, {0.5f, 0, 0}, {0, 2.1f, 0}};
   ImageParameters parameters;
   parameters.image_size = 64;
-  parameters.captures = 1;
-  parameters.more_rings.clear();
+  parameters.rings = {{1, 0.0f, 0.0f}};
   parameters.portal_margin = 0;
   const auto flat = [](const PlanarCamera& camera) {
     DepthImage image;

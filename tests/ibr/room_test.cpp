@@ -80,8 +80,7 @@ TEST(Room, LooksThroughTheDoorwayAsExactRaysSeeIt) {
   EXPECT_LT(rings.open_percent, 0.5);
 
   // A reference image alone leaves what it does not see.
-  parameters.captures = 1;
-  parameters.more_rings.clear();
+  parameters.rings = {{1, 0.0f, 0.0f}};
   const Quality one = meanQuality(room, roomLdi(room, parameters));
   EXPECT_GT(one.open_percent, 20 * rings.open_percent);
   EXPECT_LT(one.psnr_db, rings.psnr_db - 6);

@@ -27,7 +27,7 @@ TEST(Viewpoints, StandOnASemicircleBeforeThePortalAtEyeHeight) {
   const ImageParameters parameters;
   for (const bool from_front : {true, false}) {
     const Portal portal = uprightPortal({3, 0.5f, -2}, 0.7f, 1.0f, 2.1f);
-    const auto viewpoints = semicircleViewpoints(portal, from_front, 2.1f, parameters);
+    const auto viewpoints = semicircleViewpoints(portal, from_front, 2.1f, parameters, {});
     ASSERT_EQ(viewpoints.size(), 13u);
     const double side = from_front ? 1.0 : -1.0;
     for (const glm::dvec3& at : viewpoints) {
@@ -49,24 +49,21 @@ TEST(Viewpoints, StandOnASemicircleBeforeThePortalAtEyeHeight) {
 TEST(Viewpoints, AreCrossedByEveryLevelSightFromBeyondTheSwitchDistance) {
   // Also where the portal is wider than the semicircle: the outermost part stays within the switch
   // distance of the portal, and the curve goes around it.
-  ImageParameters parameters;
-  parameters.captures = 101;
-  parameters.capture_angle = 85.0f;
+  const CaptureRing ring{101, 85.0f, 0.0f};
   for (const float width : {0.8f, 2.0f, 3.5f, 8.0f}) {
     const Portal portal = uprightPortal({0, 0, 0}, 0, width, 2.1f);
-    for (const glm::dvec3& at : semicircleViewpoints(portal, true, 1.6f, parameters)) {
+    for (const glm::dvec3& at : semicircleViewpoints(portal, true, 1.6f, {}, ring)) {
       const double beside = std::max(0.0, std::abs(at.x) - 0.5 * static_cast<double>(width));
       EXPECT_LE(std::hypot(beside, at.z), 1.5 + 1e-6) << width;
     }
-    const auto outermost = semicircleViewpoints(portal, true, 1.6f, parameters).back();
+    const auto outermost = semicircleViewpoints(portal, true, 1.6f, {}, ring).back();
     EXPECT_GT(outermost.x, 0.5 * static_cast<double>(width)) << width;
   }
 }
 
 TEST(Viewpoints, StartInTheMiddleAndFollowThePlanRingByRing) {
   ImageParameters parameters;
-  parameters.captures = 5;
-  parameters.more_rings = {{2, 60.0f, -0.5f}};
+  parameters.rings = {{5, 75.0f, 0.0f}, {2, 60.0f, -0.5f}};
   const auto viewpoints = captureViewpoints(doorway(), true, 1.6f, parameters);
   ASSERT_EQ(viewpoints.size(), 7u);
   EXPECT_NEAR(viewpoints[0].x, 0.0, 1e-9);
@@ -82,8 +79,7 @@ TEST(Viewpoints, StartInTheMiddleAndFollowThePlanRingByRing) {
 
 TEST(Viewpoints, HaveTheCentralOneEvenIfTheRingHasNone) {
   ImageParameters parameters;
-  parameters.captures = 2;
-  parameters.more_rings.clear();
+  parameters.rings = {{2, 75.0f, 0.0f}};
   const auto viewpoints = captureViewpoints(doorway(), true, 1.6f, parameters);
   ASSERT_EQ(viewpoints.size(), 3u);
   EXPECT_NEAR(viewpoints[0].x, 0.0, 1e-9);
@@ -126,7 +122,7 @@ TEST(PortalCamera, LooksThroughThePortalAndItsMargin) {
   parameters.portal_margin = 0.05f;
   for (const bool from_front : {true, false}) {
     const Portal portal = uprightPortal({3, 0.5f, -2}, 0.7f, 1.0f, 2.0f);
-    for (const glm::dvec3& at : semicircleViewpoints(portal, from_front, 1.6f, parameters)) {
+    for (const glm::dvec3& at : semicircleViewpoints(portal, from_front, 1.6f, parameters, {})) {
       const PlanarCamera camera = portalCamera(portal, from_front, at, parameters);
       EXPECT_EQ(camera.height, 256);
       EXPECT_EQ(camera.width, 134);  // 256 · 1.1 / 2.1

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "render/packet_painter.h"
 #include "render/renderer.h"
 #include "scene/gltf_reader.h"
 #include "tests/render/test_scenes.h"
@@ -227,6 +228,64 @@ TEST(RayCaster, ABuildingWithoutObjectsIsAllSky) {
   caster.render(frontCamera(5, 3), 5, 3, image);
   ASSERT_EQ(image.rgba.size(), 60u);
   for (int i = 0; i < 15; ++i) EXPECT_EQ(pixelAt(image, i % 5, i / 5), kSky);
+}
+
+TEST(RayCaster, LooksAlongAPixelsRayAsItPaintsThePixel) {
+  const Building building = furnishedRoom();
+  const Camera camera = frontCamera(kWidth, kHeight);
+  const RayCaster caster(building, {}, 1);
+  Image painted;
+  caster.render(camera, kWidth, kHeight, painted);
+  const PixelRays rays = pixelRays(camera, kWidth, kHeight);
+  int off = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const glm::vec2 at = glm::vec2(x, y) + 0.5f;
+      const Sight sight =
+          caster.look({rays.origin, rays.corner + at.x * rays.right + at.y * rays.down, rays.right,
+                       rays.down, rays.near_plane, rays.far_plane});
+      off += glm::ivec3(sight.color) != glm::ivec3(pixelAt(painted, x, y));
+    }
+  }
+  EXPECT_LE(off, kWidth * kHeight / 10000) << "beyond what a ray alone rounds otherwise";
+}
+
+TEST(RayCaster, FindsEverySurfaceOnARayWhicheverWayItFaces) {
+  Building building;
+  Material glass = unlitMaterial({0, 0, 1, 0.5f});
+  glass.alpha_mode = AlphaMode::kBlend;
+  const auto wall = [&](float z, const Material& material, bool turned) {
+    auto corners = rectangle({-1, -1}, {1, 1}, z);
+    if (turned) std::swap(corners[1], corners[3]);
+    return addQuad(building, corners, material);
+  };
+  const auto front = wall(-2, unlitMaterial({1, 0, 0, 1}), false);
+  wall(-3, glass, false);
+  const auto back = wall(-5, unlitMaterial({0, 1, 0, 1}), true);
+  Material both = unlitMaterial({1, 1, 1, 1});
+  both.double_sided = true;
+  const auto last = wall(-6, both, false);
+  const RayCaster caster(building, {}, 1);
+  const PictureRay ray{{0.1f, 0.2f, 0}, {0, 0, -2}, {}, {}, 0, 10};
+  std::vector<SurfaceOnRay> surfaces;
+  caster.surfacesOn(ray, surfaces);
+  ASSERT_EQ(surfaces.size(), 3u);
+  EXPECT_EQ(surfaces[0].object, front);
+  EXPECT_FLOAT_EQ(surfaces[0].distance, 1.0f);
+  EXPECT_GT(surfaces[0].normal.z, 0);
+  EXPECT_TRUE(surfaces[0].one_sided);
+  EXPECT_EQ(surfaces[1].object, back);
+  EXPECT_FLOAT_EQ(surfaces[1].distance, 2.5f);
+  EXPECT_LT(surfaces[1].normal.z, 0);
+  EXPECT_EQ(surfaces[2].object, last);
+  EXPECT_FALSE(surfaces[2].one_sided);
+
+  // What is seen from between the first two: the glass over the last, as the turned one is not
+  // there.
+  const Sight sight = caster.look({{0.1f, 0.2f, -2.5f}, {0, 0, -1}, {}, {}, 0, 10});
+  EXPECT_FLOAT_EQ(sight.distance, 3.5f);
+  EXPECT_NEAR(sight.color.r, 128, 1);
+  EXPECT_EQ(sight.color.b, 255);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "ibr/planar_camera.h"
+
+namespace enfilade {
+
+/// The pixels of a camera's window that look through `polygon`, which lies in its image plane: row
+/// y has [spans[y].x, spans[y].y).
+std::vector<glm::ivec2> pixelsThrough(std::span<const glm::vec3> polygon,
+                                      const PlanarCamera& camera);
+
+}  // namespace enfilade
