@@ -21,9 +21,10 @@ enum class LdiMaking {
 struct ImageParameters {
   int image_size =
       256;  ///< [pixels] [16…4096] rows of a capture; columns follow the portal's shape
-  std::vector<CaptureRing> rings = {
-      {13, 75.0f, 0.0f},  ///< the paper's one ring …
-      {6, 62.5f, -0.5f}};  ///< … and another for what hides under tables; the first is the main one
+  std::vector<CaptureRing> rings = {  // the first is the main one
+      {13, 75.0f, 0.0f},              ///< the paper's one ring
+      {9, 70.0f, -0.5f},              ///< what hides under tables: the eye looks down at it
+      {5, 60.0f, 0.3f}};              ///< what hides above sills and shelves, and the sky
   LdiMaking ldi = LdiMaking::kWarp;
   int rays = 2;                  ///< [1…4] rays a pixel of a capture, across and down
   float switch_distance = 1.5f;  ///< [m] [> 0] radius of the semicircle

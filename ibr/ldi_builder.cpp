@@ -59,25 +59,33 @@ bool LdiBuilder::meets(const Layer& a, const Layer& b) const noexcept {
   return a.capture != b.capture && std::abs(a.disparity - b.disparity) <= threshold_;
 }
 
-bool LdiBuilder::stays(const Tile& tile, std::uint32_t nearest, const Layer& layer) const noexcept {
+void LdiBuilder::Look::coverAlso(const Look& other) noexcept {
+  across = std::max(across, std::min(other.across, kLeastCover));
+  down = std::max(down, std::min(other.down, kLeastCover));
+}
+
+bool LdiBuilder::stays(Tile& tile, std::uint32_t nearest, const Layer& layer,
+                       const Look& look) const noexcept {
   for (std::uint32_t i = nearest; i != kNone; i = tile.layers[i].farther) {
     const Layer& there = tile.layers[i];
     const bool central = there.capture == 0 && layer.capture != 0;
     const bool displaces_it = central && layer.disparity > there.disparity;
     const bool loses_to_it = meets(layer, there) && (central || there.area <= layer.area);
     if (displaces_it || loses_to_it) {
+      if (loses_to_it) tile.looks[i].coverAlso(look);
       return false;
     }
   }
   return true;
 }
 
-void LdiBuilder::removeThoseItMeets(Tile& tile, std::uint32_t& nearest,
-                                    const Layer& layer) const noexcept {
+void LdiBuilder::removeThoseItMeets(Tile& tile, std::uint32_t& nearest, const Layer& layer,
+                                    Look& look) const noexcept {
   for (std::uint32_t* link = &nearest; *link != kNone;) {
     const std::uint32_t i = *link;
     Layer& there = tile.layers[i];
     if (meets(layer, there)) {
+      look.coverAlso(tile.looks[i]);
       *link = there.farther;
       there.farther = tile.free;
       tile.free = i;
@@ -87,8 +95,8 @@ void LdiBuilder::removeThoseItMeets(Tile& tile, std::uint32_t& nearest,
   }
 }
 
-void LdiBuilder::place(Tile& tile, std::uint32_t& nearest, Layer layer, const Look& look) const {
-  removeThoseItMeets(tile, nearest, layer);
+void LdiBuilder::place(Tile& tile, std::uint32_t& nearest, Layer layer, Look look) const {
+  removeThoseItMeets(tile, nearest, layer, look);
   std::uint32_t* link = &nearest;
   while (*link != kNone && tile.layers[*link].disparity >= layer.disparity) {
     link = &tile.layers[*link].farther;
@@ -121,11 +129,14 @@ void LdiBuilder::insert(const CaptureSamples& capture) {
     std::uint32_t& nearest = tile->nearest[static_cast<std::size_t>(row * kLdiTile + column)];
     const Layer layer{w.disparity, s.doubt * static_cast<float>(patchArea(capture.camera, s)),
                       captures_, kNone};
-    if (stays(*tile, nearest, layer)) {
-      place(*tile, nearest, layer,
-            {w.x - static_cast<float>(corner.x), w.y - static_cast<float>(corner.y), w.across,
-             w.down, s.r, s.g, s.b});
-    }
+    const Look look{w.x - static_cast<float>(corner.x),
+                    w.y - static_cast<float>(corner.y),
+                    w.across,
+                    w.down,
+                    s.r,
+                    s.g,
+                    s.b};
+    if (stays(*tile, nearest, layer, look)) place(*tile, nearest, layer, look);
   }
   ++captures_;
 }

@@ -27,11 +27,15 @@ float disparityThreshold(const PlanarCamera& central, float depth_threshold_pixe
 /// - Where it meets a sample of similar depth, the one that saw the smaller patch of surface stays.
 /// - Two samples of the same capture both stay.
 /// - The layers of a pixel are in depth order.
+/// - Beyond the paper: what stays covers as much as what gives way to it, up to kLeastCover pixels,
+///   so that no crack opens between the samples of two captures.
 ///
 /// The same LDI for the same captures in the same order.
 /// Source: Rafferty et al. 1998, sec. 3.2.
 class LdiBuilder {
  public:
+  static constexpr float kLeastCover = 0.7f;  ///< [pixels] of the central image, across and down
+
   /// `central`: the camera of the central capture; the LDI has its rays and a window of its own.
   LdiBuilder(const PlanarCamera& central, const LdiRules& rules);
 
@@ -54,6 +58,8 @@ class LdiBuilder {
     float x, y;          ///< pixels from the tile's corner
     float across, down;  ///< size of its patch in the central view [pixels]
     std::uint8_t r, g, b;
+
+    void coverAlso(const Look& other) noexcept;
   };
   /// All layers of a tile stand together: a capture fills tile after tile, so what it needs next is
   /// mostly in the cache.
@@ -67,9 +73,11 @@ class LdiBuilder {
 
   Tile* tileAt(float x, float y);
   bool meets(const Layer& a, const Layer& b) const noexcept;
-  bool stays(const Tile& tile, std::uint32_t nearest, const Layer& layer) const noexcept;
-  void removeThoseItMeets(Tile& tile, std::uint32_t& nearest, const Layer& layer) const noexcept;
-  void place(Tile& tile, std::uint32_t& nearest, Layer layer, const Look& look) const;
+  bool stays(Tile& tile, std::uint32_t nearest, const Layer& layer,
+             const Look& look) const noexcept;
+  void removeThoseItMeets(Tile& tile, std::uint32_t& nearest, const Layer& layer,
+                          Look& look) const noexcept;
+  void place(Tile& tile, std::uint32_t& nearest, Layer layer, Look look) const;
 
   PlanarCamera central_;
   float threshold_;

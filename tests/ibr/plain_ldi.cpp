@@ -53,7 +53,10 @@ bool isWithin(const glm::vec2& at, const PlanarCamera& central, float half_width
   return within(at.x, central.width) && within(at.y, central.height);
 }
 
-void insert(std::vector<Layer>& layers, const Layer& layer, float threshold) {
+void insert(std::vector<Layer>& layers, Layer layer, float threshold) {
+  const auto cover = [](Layer& stays, const Layer& goes) {
+    stays.size = glm::max(stays.size, glm::min(goes.size, LdiBuilder::kLeastCover));
+  };
   const auto meets = [&](const Layer& there) {
     return there.capture != layer.capture &&
            std::abs(there.disparity - layer.disparity) <= threshold;
@@ -63,7 +66,14 @@ void insert(std::vector<Layer>& layers, const Layer& layer, float threshold) {
     return (central && layer.disparity > there.disparity) ||
            (meets(there) && (central || there.area <= layer.area));
   };
-  if (std::any_of(layers.begin(), layers.end(), yieldsTo)) return;
+  const auto stronger = std::find_if(layers.begin(), layers.end(), yieldsTo);
+  if (stronger != layers.end()) {
+    if (meets(*stronger)) cover(*stronger, layer);
+    return;
+  }
+  for (const Layer& there : layers) {
+    if (meets(there)) cover(layer, there);
+  }
   std::erase_if(layers, meets);
   layers.push_back(layer);
   std::stable_sort(layers.begin(), layers.end(),
