@@ -43,10 +43,10 @@ FrameCost FramePainter::paint(Method method, const Camera& camera) {
 void FramePainter::paintView(const Camera& camera, FrameCost& cost) {
   Stopwatch watch;
   const View view = camera.view();
-  const std::vector<std::uint32_t> objects = objects_.inFrustum(view);
+  objects_.inFrustum(view, in_view_);
   cost.cull_ms = watch.lapMs();
   renderer_.begin(width_, height_);
-  cost.triangles = renderer_.draw(objects, view).triangles;
+  cost.triangles = renderer_.draw(in_view_.objects, view).triangles;
   renderer_.finish();
   cost.draw_ms = watch.lapMs();
 }
@@ -68,7 +68,7 @@ void FramePainter::paintCells(const Camera& camera, bool portal_images, FrameCos
     };
   }
   const VisibleSet set = cullByPortals(house_.graph, view, eye_cell, show_as_image);
-  const std::vector<std::uint32_t> objects = objects_.visible(set);
+  objects_.visible(set, in_view_);
   cost.cull_ms = watch.lapMs();
   cost.cells = set.cells.size();
   cost.portals = set.portals.size();
@@ -76,7 +76,7 @@ void FramePainter::paintCells(const Camera& camera, bool portal_images, FrameCos
   double draw_ms = watch.lapMs();
   if (portal_images) pictures_.draw(set, camera, renderer_, cost);
   watch.lapMs();
-  cost.triangles = renderer_.draw(objects, view).triangles;
+  cost.triangles = renderer_.draw(in_view_.objects, view).triangles;
   renderer_.finish();
   cost.draw_ms = draw_ms + watch.lapMs();
 }

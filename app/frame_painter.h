@@ -38,6 +38,7 @@ class FramePainter {
 
   const House& house_;
   ObjectIndex objects_;
+  ObjectList in_view_;  // of the last frame
   Renderer renderer_;
   PortalPictures pictures_;
   std::unique_ptr<RayCaster> rays_;

@@ -9,12 +9,14 @@
 namespace enfilade {
 
 ObjectPainter::ObjectPainter(const GlFunctions& gl, const Building& building)
-    : gl_(gl), textures_(gl, building) {
+    : ObjectPainter(gl, building, worldGeometry(building)) {}
+
+ObjectPainter::ObjectPainter(const GlFunctions& gl, const Building& building,
+                             const WorldGeometry& world)
+    : gl_(gl), textures_(gl, building), ranges_(world.objects), sieve_(world) {
   gl_.GenVertexArrays(1, &vertex_array_);
-  gl_.GenBuffers(2, buffers_);
-  WorldGeometry world = worldGeometry(building);
+  gl_.GenBuffers(3, buffers_);
   upload(world);
-  ranges_ = std::move(world.objects);
   for (const Object& object : building.objects) {
     centers_.push_back(worldBounds(building, object).center());
   }
@@ -24,7 +26,7 @@ ObjectPainter::ObjectPainter(const GlFunctions& gl, const Building& building)
 ObjectPainter::~ObjectPainter() {
   for (const Program& p : programs_) gl_.DeleteProgram(p.name);
   gl_.DeleteVertexArrays(1, &vertex_array_);
-  gl_.DeleteBuffers(2, buffers_);
+  gl_.DeleteBuffers(3, buffers_);
 }
 
 void ObjectPainter::upload(const WorldGeometry& world) {
@@ -121,13 +123,15 @@ void ObjectPainter::drawRuns(std::span<const std::uint32_t> objects, DrawCounts&
     ++counts.draw_calls;
   };
   for (const std::uint32_t o : objects) {
+    const IndexRange& range = sifting_ ? sieve_.range(o) : ranges_[o];
+    if (range.count == 0) continue;
     if (state_of_[o] != current) {
       flush();
       setState(current, state_of_[o]);
       current = state_of_[o];
     }
-    list_.add(ranges_[o].first, ranges_[o].count);
-    counts.triangles += ranges_[o].count / 3;
+    list_.add(range.first, range.count);
+    counts.triangles += range.count / 3;
   }
   flush();
 }
@@ -148,10 +152,26 @@ void ObjectPainter::drawBlended(const glm::vec3& eye, DrawCounts& counts) {
   gl_.Disable(GL_BLEND);
 }
 
+void ObjectPainter::sift(std::span<const std::uint32_t> objects, const SieveView& view) {
+  if (!sifting_) {
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+    return;
+  }
+  to_sift_.clear();
+  for (const std::uint32_t o : objects) {
+    const ProgramVariant& variant = states_[state_of_[o]].variant;
+    to_sift_.push_back({o, variant.double_sided, variant.alpha_mode == AlphaMode::kOpaque});
+  }
+  sieve_.sift(to_sift_, view);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[2]);
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(sieve_.indices().size_bytes()),
+                 sieve_.indices().data(), GL_STREAM_DRAW);
+}
+
 DrawCounts ObjectPainter::draw(std::span<const std::uint32_t> objects, const glm::vec3& eye,
-                               const glm::mat4& clip_from_world) {
+                               const SieveView& view) {
   assert(std::is_sorted(objects.begin(), objects.end()));
-  clip_from_world_ = clip_from_world;
+  clip_from_world_ = view.clip_from_world;
   for (Program& p : programs_) p.has_matrix = false;
   opaque_.clear();
   blended_.clear();
@@ -161,6 +181,7 @@ DrawCounts ObjectPainter::draw(std::span<const std::uint32_t> objects, const glm
   }
   gl_.BindVertexArray(vertex_array_);
   gl_.ActiveTexture(GL_TEXTURE0);
+  sift(objects, view);
   DrawCounts counts;
   drawRuns(opaque_, counts);
   drawBlended(eye, counts);

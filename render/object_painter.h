@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "render/renderer_shaders.h"
 #include "render/texture_set.h"
+#include "render/triangle_sieve.h"
 #include "render/world_geometry.h"
 #include "scene/building.h"
 
@@ -29,9 +30,14 @@ class ObjectPainter {
 
   /// See Renderer::draw.
   DrawCounts draw(std::span<const std::uint32_t> objects, const glm::vec3& eye,
-                  const glm::mat4& clip_from_world);
+                  const SieveView& view);
+
+  /// Whether triangles that cover no pixel are left out before OpenGL is asked: so from the start.
+  void setSifting(bool sifting) { sifting_ = sifting; }
 
  private:
+  ObjectPainter(const GlFunctions& gl, const Building& building, const WorldGeometry& world);
+
   /// What must change between two objects' draw calls, and nothing else does.
   struct State {
     ProgramVariant variant;
@@ -53,6 +59,7 @@ class ObjectPainter {
   void chooseStates(const Building& building);
   Program& program(const ProgramVariant& variant);
   void setState(std::uint32_t from, std::uint32_t to);
+  void sift(std::span<const std::uint32_t> objects, const SieveView& view);
   void drawRuns(std::span<const std::uint32_t> objects, DrawCounts& counts);
   void drawBlended(const glm::vec3& eye, DrawCounts& counts);
 
@@ -60,9 +67,11 @@ class ObjectPainter {
   TextureSet textures_;
   std::array<Program, kProgramVariants> programs_;
   GLuint vertex_array_ = 0;
-  GLuint buffers_[2] = {0, 0};  // vertices, indices
+  GLuint buffers_[3] = {0, 0, 0};  // vertices, indices, the indices that the sieve leaves
 
-  std::vector<IndexRange> ranges_;       // one an object
+  std::vector<IndexRange> ranges_;  // one an object
+  TriangleSieve sieve_;
+  bool sifting_ = true;
   std::vector<glm::vec3> centers_;       // of an object's box
   std::vector<std::uint32_t> state_of_;  // one an object: index in states_
   std::vector<State> states_;            // no two equal
@@ -71,6 +80,7 @@ class ObjectPainter {
   glm::mat4 clip_from_world_{1};
   std::vector<std::uint32_t> opaque_;
   std::vector<std::uint32_t> blended_;
+  std::vector<SieveObject> to_sift_;
   DrawList list_;
 };
 

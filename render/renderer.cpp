@@ -25,7 +25,9 @@ struct Renderer::Impl {
         gl(gl_context.gl()),
         frame(gl),
         objects(gl, building),
-        polygons(gl) {}
+        polygons(gl) {
+    gl.GetIntegerv(GL_SUBPIXEL_BITS, &sub_pixel_bits);
+  }
 
   ~Impl() { context.makeCurrent(); }  // the members have names in it to delete
 
@@ -42,6 +44,7 @@ struct Renderer::Impl {
   FrameBuffer frame;
   ObjectPainter objects;
   PolygonPainter polygons;
+  GLint sub_pixel_bits = 4;
 };
 
 void Renderer::Impl::begin(int width, int height) {
@@ -70,7 +73,9 @@ Renderer::~Renderer() = default;
 void Renderer::begin(int width, int height) { impl_->begin(width, height); }
 
 DrawCounts Renderer::draw(std::span<const std::uint32_t> objects, const View& view) {
-  return impl_->objects.draw(objects, view.eye, upsideDown(view.clip_from_world));
+  return impl_->objects.draw(objects, view.eye,
+                             {upsideDown(view.clip_from_world), impl_->frame.width(),
+                              impl_->frame.height(), impl_->sub_pixel_bits});
 }
 
 void Renderer::drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
@@ -84,6 +89,8 @@ void Renderer::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                                    const glm::mat4& clip_from_world) {
   impl_->polygons.drawTexturedPolygon(polygon, texcoords, texture, upsideDown(clip_from_world));
 }
+
+void Renderer::setSifting(bool sifting) { impl_->objects.setSifting(sifting); }
 
 void Renderer::finish() { impl_->gl.Finish(); }
 

@@ -66,6 +66,10 @@ class Renderer {
   void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
                            const Image& texture, const glm::mat4& clip_from_world);
 
+  /// Whether draw() leaves out the triangles that cover no pixel's centre, which changes no pixel
+  /// but the time that it takes.  So from the start; off for comparisons.
+  void setSifting(bool sifting);
+
   /// Waits until all is drawn.
   void finish();
 

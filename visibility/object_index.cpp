@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 namespace enfilade {
 
@@ -46,29 +47,41 @@ std::span<const std::uint32_t> ObjectIndex::ofCell(CellId cell) const noexcept {
   return std::span(cell_objects_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
 }
 
-std::vector<std::uint32_t> ObjectIndex::visible(const VisibleSet& set) const {
-  std::vector<std::uint8_t> seen(bounds_.size(), 0);
+void ObjectIndex::visible(const VisibleSet& set, ObjectList& list) const {
+  list.seen.assign(bounds_.size(), 0);
   for (const VisibleCell& cell : set.cells) {
     for (const std::uint32_t object : ofCell(cell.cell)) {
-      if (seen[object]) continue;
-      seen[object] = std::any_of(
+      if (list.seen[object]) continue;
+      list.seen[object] = std::any_of(
           cell.regions.begin(), cell.regions.end(),
           [&](const ScreenRegion& region) { return mayBeSeen(region, bounds_[object]); });
     }
   }
-  std::vector<std::uint32_t> objects;
-  for (std::uint32_t object = 0; object < seen.size(); ++object) {
-    if (seen[object]) objects.push_back(object);
+  list.objects.clear();
+  list.objects.reserve(bounds_.size());
+  for (std::uint32_t object = 0; object < list.seen.size(); ++object) {
+    if (list.seen[object]) list.objects.push_back(object);
   }
-  return objects;
+}
+
+void ObjectIndex::inFrustum(const View& view, ObjectList& list) const {
+  const std::vector<Plane> planes = frustumPlanes(view);
+  list.objects.clear();
+  list.objects.reserve(bounds_.size());
+  std::copy_if(drawn_.begin(), drawn_.end(), std::back_inserter(list.objects),
+               [&](std::uint32_t object) { return mayTouch(planes, bounds_[object]); });
+}
+
+std::vector<std::uint32_t> ObjectIndex::visible(const VisibleSet& set) const {
+  ObjectList list;
+  visible(set, list);
+  return std::move(list.objects);
 }
 
 std::vector<std::uint32_t> ObjectIndex::inFrustum(const View& view) const {
-  const std::vector<Plane> planes = frustumPlanes(view);
-  std::vector<std::uint32_t> objects;
-  std::copy_if(drawn_.begin(), drawn_.end(), std::back_inserter(objects),
-               [&](std::uint32_t object) { return mayTouch(planes, bounds_[object]); });
-  return objects;
+  ObjectList list;
+  inFrustum(view, list);
+  return std::move(list.objects);
 }
 
 }  // namespace enfilade

@@ -9,6 +9,12 @@
 
 namespace enfilade {
 
+/// Objects found, and the memory to find more: kept by who asks each frame.
+struct ObjectList {
+  std::vector<std::uint32_t> objects;  ///< increasing
+  std::vector<std::uint8_t> seen;      ///< scratch
+};
+
 /// Which objects stand in which cell, and where: made once for a house, asked each frame.
 /// Doors are left out everywhere: they stand open.
 class ObjectIndex {
@@ -20,9 +26,13 @@ class ObjectIndex {
   /// of the cell's regions.  Conservative.
   std::vector<std::uint32_t> visible(const VisibleSet& set) const;
 
+  /// The same into `list`; allocates nothing when it was asked before.
+  void visible(const VisibleSet& set, ObjectList& list) const;
+
   /// The objects to draw without any culling but that by the view frustum, increasing.
   /// Conservative.
   std::vector<std::uint32_t> inFrustum(const View& view) const;
+  void inFrustum(const View& view, ObjectList& list) const;
 
   /// The objects that the cell can see, increasing.
   std::span<const std::uint32_t> ofCell(CellId cell) const noexcept;

@@ -1,8 +1,10 @@
 // Frames of 640 × 512 by OSMesa, read back or not.  ENFILADE_BENCH_THREADS chooses the threads.
+// sift:0 hands every triangle to OpenGL, sift:1 those that the sieve leaves.
 
 #include <benchmark/benchmark.h>
 
 #include "render/renderer.h"
+#include "render/triangle_sieve.h"
 #include "scene/gltf_reader.h"
 #include "tests/bench/bench_scenes.h"
 
@@ -25,6 +27,7 @@ Camera cameraAt(const glm::vec3& eye, const glm::vec3& target) {
 
 void drawFrames(benchmark::State& state, const Building& building, const Camera& camera) {
   Renderer renderer(context(), building);
+  renderer.setSifting(state.range(0) != 0);
   const std::vector<std::uint32_t> objects = bench::allObjects(building);
   DrawCounts counts;
   for (auto _ : state) {
@@ -32,8 +35,9 @@ void drawFrames(benchmark::State& state, const Building& building, const Camera&
     counts = renderer.draw(objects, camera.view());
     renderer.finish();
   }
-  state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(counts.triangles),
+  state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(triangleCount(building)),
                                                      benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["drawn"] = static_cast<double>(counts.triangles);
   state.counters["calls"] = static_cast<double>(counts.draw_calls);
 }
 
@@ -41,6 +45,21 @@ void spheres(benchmark::State& state, int objects, int per_object, int materials
              bool double_sided) {
   drawFrames(state, bench::spheres(objects, per_object, materials, textured, double_sided),
              cameraAt({1, 2, 9}, {0, 0, 0}));
+}
+
+/// The sieve by itself.
+void sieve(benchmark::State& state, int objects, int per_object) {
+  const Building building = bench::spheres(objects, per_object, 1, false, false);
+  TriangleSieve sieve(worldGeometry(building));
+  std::vector<SieveObject> all;
+  for (const std::uint32_t o : bench::allObjects(building)) all.push_back({o, false, true});
+  SieveView view;
+  view.clip_from_world = cameraAt({1, 2, 9}, {0, 0, 0}).clipFromWorld();
+  view.width = kWidth;
+  view.height = kHeight;
+  for (auto _ : state) sieve.sift(all, view);
+  state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(triangleCount(building)),
+                                                     benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void fill(benchmark::State& state, bool textured) {
@@ -105,19 +124,23 @@ BENCHMARK(screenPolygon)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()
       ->MeasureProcessCPUTime()       \
       ->UseRealTime()
 
-ENFILADE_BENCH(fill, plain, false);
-ENFILADE_BENCH(fill, textured, true);
+#define ENFILADE_BENCH_DRAW(...) ENFILADE_BENCH(__VA_ARGS__)->ArgName("sift")->Arg(0)->Arg(1)
+
+ENFILADE_BENCH_DRAW(fill, plain, false);
+ENFILADE_BENCH_DRAW(fill, textured, true);
+ENFILADE_BENCH(sieve, 200k, 8, 25000);
+ENFILADE_BENCH(sieve, 1000_objects, 1000, 100);
 ENFILADE_BENCH(readBack, color, false);
 ENFILADE_BENCH(readBack, depth, true);
-ENFILADE_BENCH(spheres, 200k_one_sided, 8, 25000, 1, false, false);
-ENFILADE_BENCH(spheres, 200k_double_sided, 8, 25000, 1, false, true);
-ENFILADE_BENCH(spheres, 200k_textured, 8, 25000, 1, true, false);
-ENFILADE_BENCH(spheres, 1000_objects_20_materials, 1000, 100, 20, true, true);
-ENFILADE_BENCH(spheres, 1000_objects_1_material, 1000, 100, 1, true, true);
+ENFILADE_BENCH_DRAW(spheres, 200k_one_sided, 8, 25000, 1, false, false);
+ENFILADE_BENCH_DRAW(spheres, 200k_double_sided, 8, 25000, 1, false, true);
+ENFILADE_BENCH_DRAW(spheres, 200k_textured, 8, 25000, 1, true, false);
+ENFILADE_BENCH_DRAW(spheres, 1000_objects_20_materials, 1000, 100, 20, true, true);
+ENFILADE_BENCH_DRAW(spheres, 1000_objects_1_material, 1000, 100, 1, true, true);
 
-ENFILADE_BENCH(model, duplex, "duplex.glb", {2, 1.5f, 5}, 0.5f);
-ENFILADE_BENCH(model, freedoom, "freedoom-e1m1.glb", {0, 2, 0}, 0.3f);
-ENFILADE_BENCH(model, dream_apartment, "dream-apartment.glb", {5, 1.6f, -5}, 0.5f);
+ENFILADE_BENCH_DRAW(model, duplex, "duplex.glb", {2, 1.5f, 5}, 0.5f);
+ENFILADE_BENCH_DRAW(model, freedoom, "freedoom-e1m1.glb", {0, 2, 0}, 0.3f);
+ENFILADE_BENCH_DRAW(model, dream_apartment, "dream-apartment.glb", {5, 1.6f, -5}, 0.5f);
 
 }  // namespace
 }  // namespace enfilade

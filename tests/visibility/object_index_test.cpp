@@ -102,6 +102,25 @@ TEST(ObjectIndex, VisibleAreJustTheObjectsOfVisibleCellsInTheirRegions) {
   EXPECT_GT(culled, 500u);
 }
 
+TEST(ObjectIndex, AListAskedAgainHoldsTheNewAnswerInTheSameMemory) {
+  std::mt19937 random(4);
+  const BoxHouse boxes(4, {});
+  const House house = houseWithObjects(boxes, random, 300);
+  const ObjectIndex index(house);
+  ObjectList list;
+  const std::uint32_t* memory = nullptr;
+  for (int v = 0; v < 20; ++v) {
+    const View view = randomView(random, house.building.vertex_arrays[random() % 300].positions[0]);
+    const VisibleSet set = cullByPortals(house.graph, view, boxes.cellAt(view.eye));
+    index.inFrustum(view, list);
+    EXPECT_EQ(list.objects, index.inFrustum(view));
+    index.visible(set, list);
+    EXPECT_EQ(list.objects, index.visible(set));
+    EXPECT_TRUE(v == 0 || list.objects.data() == memory);
+    memory = list.objects.data();
+  }
+}
+
 TEST(ObjectIndex, InFrustumLosesNothingInViewAndLeavesOutWhatIsFarOff) {
   std::mt19937 random(3);
   const BoxHouse boxes(3, {});
