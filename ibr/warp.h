@@ -12,6 +12,7 @@
 
 namespace enfilade {
 
+class ThreadTeam;
 struct WarpScratch;
 
 /// The frame-sized picture that images are warped into.  Alpha 0: no sample fell there.
@@ -47,17 +48,28 @@ enum class Clip : std::uint8_t {
 struct WarpOptions {
   Splat splat = Splat::kMean;
   Clip clip = Clip::kTiles;
-  int threads = 0;  ///< [≥ 0] fragments that are warped at once; 0: as many as TBB has threads
+  ThreadTeam* team = nullptr;  ///< who warps; null: the calling thread
 };
 
-/// Warps every sample of `images` (each after the one before it: of reference images the farther
-/// ones first) that falls into `region` (a convex polygon in the target's pixels, row 0 on top)
-/// into `target`, whose pixels there are first cleared; no other pixel is written.
-/// Occlusion-compatible order within an image, in 4, 2 or 1 sheets. `desired` has the target's
-/// size. The same pixels for any number of threads: each has a fragment of the region to get right,
-/// and warps all that may fall there.  Never allocates once the target has seen a warp as large,
-/// but for what TBB keeps. Source: McMillan & Bishop, Plenoptic Modeling, 1995; sheets and
+/// A region of a picture that images are to be warped into.
+struct WarpJob {
+  std::span<const Ldi* const> images;  ///< of reference images the farther ones first
+  std::span<const glm::vec2> region;   ///< a convex polygon [pixels, row 0 on top], any winding
+  WarpBuffer* target = nullptr;        ///< may be that of other jobs whose regions it does not meet
+  WarpCounts counts;                   ///< filled in
+};
+
+/// Warps every sample of every job's images, each image after the one before it, that falls into
+/// the job's region into its target, whose pixels there are first cleared; no other pixel is
+/// written. Occlusion-compatible order within an image, in 4, 2 or 1 sheets.  `desired` has the
+/// targets' size. The same pixels for any number of threads: each has a fragment of a region to get
+/// right, and warps all that may fall there.  Never allocates once the targets' scratch has seen
+/// warps as large and as many. Source: McMillan & Bishop, Plenoptic Modeling, 1995; sheets and
 /// fragments as in Rafferty et al. 1998, sec. 3.1.
+void warpJobs(std::span<WarpJob> jobs, const PlanarCamera& desired,
+              const WarpOptions& options = {}) noexcept;
+
+/// The same for one region.
 WarpCounts warpImages(std::span<const Ldi* const> images, const PlanarCamera& desired,
                       std::span<const glm::vec2> region, WarpBuffer& target,
                       const WarpOptions& options = {}) noexcept;

@@ -1,11 +1,11 @@
 // The warp, in nanoseconds a sample, by splat and number of threads.
 
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <map>
 
 #include "ibr/warp.h"
+#include "render/thread_team.h"
 #include "tests/bench/warp_scenes.h"
 
 namespace enfilade {
@@ -22,12 +22,11 @@ const Ldi& ldiOf(int rows) {
 void everySample(benchmark::State& state, Splat splat) {
   const Ldi& ldi = ldiOf(static_cast<int>(state.range(0)));
   const int threads = static_cast<int>(state.range(1));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  ThreadTeam team(threads);
   const PlanarCamera desired = bench::viewOfDoorway();
   WarpBuffer buffer;
   buffer.resize(desired.width, desired.height);
-  const WarpOptions options{splat, Clip::kTiles, threads};
+  const WarpOptions options{splat, Clip::kTiles, &team};
   const std::vector<glm::vec2> region = testing::wholePicture(desired);
   WarpCounts counts;
   for (auto _ : state) counts = warpLdi(ldi, desired, region, buffer, options);

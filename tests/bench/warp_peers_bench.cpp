@@ -3,12 +3,12 @@
 // "a sample" is the time for one pixel of the image.
 
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include "ibr/ldi_builder.h"
 #include "ibr/warp.h"
 #include "render/gl_context.h"
 #include "render/gl_program.h"
+#include "render/thread_team.h"
 #include "tests/bench/warp_peers.h"
 
 namespace enfilade::bench {
@@ -38,8 +38,7 @@ void countSamples(benchmark::State& state) {
 }
 
 void ours(benchmark::State& state, Splat splat, int threads) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  ThreadTeam team(threads);
   LdiBuilder builder(scene().image.camera, {});
   builder.insert(resolveCapture(scene().image, 1, 0.0f));
   const Ldi ldi = builder.finish();
@@ -47,7 +46,7 @@ void ours(benchmark::State& state, Splat splat, int threads) {
   buffer.resize(kWidth, kHeight);
   const std::vector<glm::vec2> all = testing::wholePicture(scene().desired);
   for (auto _ : state) {
-    warpLdi(ldi, scene().desired, all, buffer, {splat, Clip::kTiles, threads});
+    warpLdi(ldi, scene().desired, all, buffer, {splat, Clip::kTiles, &team});
   }
   countSamples(state);
 }

@@ -22,7 +22,7 @@ ScreenBox pixelsTouched(const Ldi& ldi, const LdiTile& tile, const PlanarCamera&
   indexTiles(alone);
   WarpBuffer buffer;
   buffer.resize(desired.width, desired.height);
-  warpLdi(alone, desired, polygon, buffer, {splat, Clip::kNothing, 1});
+  warpLdi(alone, desired, polygon, buffer, {splat, Clip::kNothing});
   ScreenBox box{1e9f, 1e9f, -1e9f, -1e9f};
   for (std::size_t p = 0; p < buffer.color.rgba.size() / 4; ++p) {
     if (buffer.color.rgba[4 * p + 3] > 0) {

@@ -9,6 +9,7 @@
 #include "ibr/convex_region.h"
 #include "plain_warp.h"
 #include "random_cameras.h"
+#include "render/thread_team.h"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
@@ -110,7 +111,7 @@ TEST_P(WarpBySplat, IsThePlainWarpInEveryPixel) {
     WarpBuffer buffer;
     buffer.resize(96, 80);
     const WarpCounts counts =
-        warpLdi(scene.ldi, scene.desired, scene.region, buffer, {GetParam(), Clip::kTiles, 1});
+        warpLdi(scene.ldi, scene.desired, scene.region, buffer, {GetParam(), Clip::kTiles});
     const std::vector<bool> region = pixelsIn(scene.region, 96, 80);
     const auto plain = testing::warpPlainly(scene.ldi, scene.desired, region, GetParam());
     for (std::size_t p = 0; p < plain.size(); ++p) {
@@ -207,15 +208,16 @@ TEST_P(WarpBySplat, IsTheSamePictureWithAndWithoutClippingAndForAnyNumberOfThrea
     WarpBuffer plain;
     plain.resize(320, 256);
     const WarpCounts counts =
-        warpLdi(scene.ldi, scene.desired, scene.region, plain, {splat, Clip::kNothing, 1});
+        warpLdi(scene.ldi, scene.desired, scene.region, plain, {splat, Clip::kNothing});
     EXPECT_EQ(counts.samples, scene.ldi.samples.size());
     EXPECT_EQ(counts.samples_clipped, 0u);
-    for (const int threads : {1, 2, 3, 7, 0}) {
+    for (const int threads : {1, 2, 3, 7}) {
+      ThreadTeam team(threads);
       WarpBuffer buffer;
       buffer.resize(320, 256);
       const Clip clip = threads == 3 ? Clip::kColumns : Clip::kTiles;
       const WarpCounts c =
-          warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, clip, threads});
+          warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, clip, &team});
       ASSERT_EQ(buffer.color.rgba, plain.color.rgba) << i << " on " << threads;
       EXPECT_EQ(c.samples + c.samples_clipped, scene.ldi.samples.size());
       EXPECT_EQ(c.pixels, counts.pixels);
@@ -236,10 +238,10 @@ TEST_P(WarpBySplat, NeverAllocatesOnceItHasSeenAWarpAsLarge) {
   const Scene scene = randomView(random, 320, 256);
   WarpBuffer buffer;
   buffer.resize(320, 256);
-  warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles, 1});
+  warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles});
   const std::size_t before = allocations;
   const WarpCounts counts =
-      warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles, 1});
+      warpLdi(scene.ldi, scene.desired, scene.region, buffer, {splat, Clip::kTiles});
   EXPECT_EQ(allocations - before, 0u);
   EXPECT_GT(counts.samples, 0u);
 }
