@@ -4,6 +4,7 @@
 #include "render/triangle_sieve.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <filesystem>
@@ -254,6 +255,28 @@ TEST(TriangleSieve, WhatIsSeenThroughAWallWithHolesStays) {
     Renderer renderer(sharedContext(), building);
     EXPECT_EQ(expectTheSame(renderer, building, frontCamera(kWidth, kHeight).view()), 1.0);
   }
+}
+
+TEST(TriangleSieve, LeavesThePictureAsItIsByWhicheverVectorUnit) {
+  const Building building = gravel(3);
+  Renderer renderer(sharedContext(), building);
+  int units = 0;
+  std::int64_t rest = hwy::SupportedTargets();
+  for (std::int64_t unit = 1; rest != 0; unit *= 2) {
+    if ((rest & unit) == 0) continue;
+    rest &= ~unit;
+    hwy::SetSupportedTargetsForTest(unit);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    Dice dice(21);
+    for (int i = 0; i < 8; ++i) {
+      const Camera camera = anyCamera(dice, {glm::vec3(-6), glm::vec3(6)});
+      EXPECT_LT(expectTheSame(renderer, building, camera.view()), 0.9) << hwy::TargetName(unit);
+    }
+    ++units;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  EXPECT_GT(units, 0);
 }
 
 TEST(TriangleSieve, KeepsTheOrderOfObjectsAndTheirTriangles) {
