@@ -17,7 +17,7 @@ struct FrameCost {
   std::optional<double> warp_ms;  ///< warping images
   std::optional<double> composite_ms;    ///< handing the warped pictures over to be drawn
   std::optional<double> draw_ms;         ///< drawing geometry and waiting for the last pixel
-  std::optional<std::size_t> triangles;  ///< drawn
+  std::optional<std::size_t> triangles;  ///< handed to OpenGL
   std::optional<std::size_t> cells;      ///< seen
   std::optional<std::size_t> portals;    ///< seen, each side once
   std::optional<std::size_t> portals_as_images;

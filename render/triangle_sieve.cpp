@@ -1,16 +1,18 @@
 #include "render/triangle_sieve.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "render/share_out.h"
 
 namespace enfilade {
 
 namespace {
 
 constexpr std::size_t kPiece = 4096;    // [triangles] sifted at once
-constexpr std::size_t kShared = 40000;  // [triangles] fewer are not worth another thread
+constexpr std::size_t kShared = 60000;  // [triangles] fewer are not worth another thread
 constexpr int kOccluder = 5 * OcclusionGrid::kSide;  // [pixels] smaller ones hide little
 
 /// A difference of depth buffer values that no rounding of the rasteriser's makes up: some 80
@@ -114,19 +116,16 @@ void TriangleSieve::write(const Piece& piece) noexcept {
   }
 }
 
-void TriangleSieve::sift(std::span<const SieveObject> objects, const SieveView& view) {
+void TriangleSieve::sift(std::span<const SieveObject> objects, const SieveView& view, int threads) {
   view_ = view;
   depths_ = depthRange(view.clip_from_world);
   plan(objects);
-  const auto sift_piece = [&](std::size_t i) {
+  if (slots_ < kShared) threads = 1;
+  if (threads <= 0) threads = tbb::this_task_arena::max_concurrency();
+  shareOut(pieces_.size(), threads, [&](std::size_t i) {
     Piece& piece = pieces_[i];
     piece.kept = siftTriangles(corners_, piece.first, piece.count, piece.rows, output(piece.slot));
-  };
-  if (slots_ < kShared) {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) sift_piece(i);
-  } else {
-    tbb::parallel_for(std::size_t{0}, pieces_.size(), sift_piece);
-  }
+  });
   if (depths_.known) {
     grid_.start(view.width, view.height);
     for (const Piece& piece : pieces_) {

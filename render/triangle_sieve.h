@@ -28,8 +28,9 @@ class TriangleSieve {
   explicit TriangleSieve(const WorldGeometry& world);
 
   /// Finds what is to be drawn of `objects`.  `indices()` and `range()` tell it until the next
-  /// call.  Never allocates once it has had as many triangles.  The same for any number of threads.
-  void sift(std::span<const SieveObject> objects, const SieveView& view);
+  /// call.  Keeps its memory for the next.  The same for any number of
+  /// `threads`; 0: as many as oneTBB may use.
+  void sift(std::span<const SieveObject> objects, const SieveView& view, int threads = 0);
 
   /// Three a triangle, in the order of `objects` and of each one's triangles.
   std::span<const std::uint32_t> indices() const noexcept { return {indices_.data(), used_}; }
