@@ -91,8 +91,9 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
   command.add_flag("--no-images", options.no_images, "Bake no images: for culling alone")
       ->group(kGroup);
   ImageParameters& image = options.parameters.image;
-  addNumber(command, kGroup, "--image-size", image.image_size, "Rows of an image [pixels]",
-            "PIXELS", 16, 4096);
+  addNumber(command, kGroup, "--image-size", image.image_size,
+            "Rows of an image of a portal 2.1 m high, others in proportion [pixels]", "PIXELS", 16,
+            4096);
   command
       .add_option("--captures", options.captures,
                   "Viewpoints before a portal: rings of ring:COUNT, joined by commas, each perhaps "

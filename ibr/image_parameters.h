@@ -19,8 +19,11 @@ enum class LdiMaking {
 
 /// How the images of a portal are captured.  Lengths in metres.
 struct ImageParameters {
-  int image_size =
-      256;  ///< [pixels] [16…4096] rows of a capture; columns follow the portal's shape
+  static constexpr double kDoorHeight = 2.1;   ///< [m] of the portal that `image_size` is meant for
+  static constexpr double kMostPixels = 4096;  ///< across or down a capture
+
+  int image_size = 384;  ///< [pixels] [16…4096] rows of a capture of a portal 2.1 m high; others in
+                         ///< proportion, since all switch to geometry at one distance
   std::vector<CaptureRing> rings = {  // the first is the main one
       {13, 75.0f, 0.0f},              ///< the paper's one ring
       {9, 70.0f, -0.5f},              ///< what hides under tables: the eye looks down at it

@@ -16,6 +16,13 @@ glm::dvec2 ringAxes(const PortalFrame& frame, const ImageParameters& parameters)
   return {std::max(radius, frame.half_width + 0.5 * radius), radius};
 }
 
+/// Columns and rows of an image of the portal, the larger ones within kMostPixels.
+glm::dvec2 pixelsOf(const PortalFrame& frame, int image_size) {
+  const glm::dvec2 size = 2.0 * glm::dvec2(frame.half_width, frame.half_height);
+  const glm::dvec2 pixels = image_size / ImageParameters::kDoorHeight * size;
+  return pixels * std::min(1.0, ImageParameters::kMostPixels / std::max(pixels.x, pixels.y));
+}
+
 std::vector<glm::dvec3> viewpointsOnRing(const PortalFrame& frame, const glm::dvec2& axes,
                                          double eye_y, const CaptureRing& ring) {
   const glm::dvec3 ahead = glm::cross(frame.right, glm::dvec3(0, 1, 0));  // level, to the viewer
@@ -80,12 +87,11 @@ PlanarCamera portalCamera(const Portal& portal, bool from_front, const glm::dvec
   PortalFrame frame = portalFrame(portal, from_front);
   frame.half_width += static_cast<double>(parameters.portal_margin);
   frame.half_height += static_cast<double>(parameters.portal_margin);
-  const double rows = parameters.image_size * widen;
-  const double columns = rows * frame.half_width / frame.half_height;
+  const glm::dvec2 pixels = widen * pixelsOf(frame, parameters.image_size);
   PlanarCamera camera;
   camera.center = viewpoint;
-  camera.height = static_cast<int>(std::clamp(std::round(rows), 1.0, 65536.0));
-  camera.width = static_cast<int>(std::clamp(std::round(columns), 1.0, 65536.0));
+  camera.width = static_cast<int>(std::max(std::round(pixels.x), 1.0));
+  camera.height = static_cast<int>(std::max(std::round(pixels.y), 1.0));
   const glm::dvec3 right = widen * frame.half_width * frame.right;
   const glm::dvec3 up = widen * frame.half_height * frame.up;
   camera.world_from_pixel = glm::dmat3(2.0 / camera.width * right, -2.0 / camera.height * up,

@@ -36,7 +36,39 @@ void everySample(benchmark::State& state, Splat splat) {
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// The doorway alone, with what cannot be seen through it left out, or not.
+void throughTheDoorway(benchmark::State& state, Clip clip) {
+  const Ldi& ldi = ldiOf(static_cast<int>(state.range(0)));
+  const PlanarCamera desired = bench::viewOfDoorway();
+  std::vector<glm::vec2> region;
+  for (const glm::vec3& corner : testing::doorway().polygon) {
+    region.emplace_back(projectPoint(desired, glm::dvec3(corner)));
+  }
+  WarpBuffer buffer;
+  buffer.resize(desired.width, desired.height);
+  WarpCounts counts;
+  for (auto _ : state) {
+    counts = warpLdi(ldi, desired, region, buffer, {Splat::kMean, clip});
+  }
+  const auto all = static_cast<double>(ldi.samples.size());
+  state.counters["clipped %"] = 100.0 * static_cast<double>(counts.samples_clipped) / all;
+}
+
+void addClips() {
+  const std::pair<Clip, const char*> clips[] = {{Clip::kNothing, "clip/nothing"},
+                                                {Clip::kColumns, "clip/columns"},
+                                                {Clip::kTiles, "clip/tiles"}};
+  for (const auto& [clip, name] : clips) {
+    benchmark::RegisterBenchmark(name,
+                                 [clip = clip](benchmark::State& s) { throughTheDoorway(s, clip); })
+        ->Arg(256)
+        ->Arg(512)
+        ->Unit(benchmark::kMicrosecond);
+  }
+}
+
 void addAll() {
+  addClips();
   for (const SplatInfo& info : allSplats()) {
     for (const int rows : {256, 512}) {
       for (const int threads : {1, 2}) {

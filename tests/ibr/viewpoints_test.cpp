@@ -121,6 +121,7 @@ TEST(Portals, ShowImagesIfUprightAndOfSomeSize) {
 
 TEST(PortalCamera, LooksThroughThePortalAndItsMargin) {
   ImageParameters parameters;
+  parameters.image_size = 256;
   parameters.portal_margin = 0.05f;
   for (const bool from_front : {true, false}) {
     const Portal portal = uprightPortal({3, 0.5f, -2}, 0.7f, 1.0f, 2.0f);
@@ -144,6 +145,7 @@ TEST(PortalCamera, LooksThroughThePortalAndItsMargin) {
 
 TEST(PortalCamera, WidensAboutItsMiddle) {
   ImageParameters parameters;
+  parameters.image_size = 256;
   parameters.portal_margin = 0;
   const Portal portal = doorway();
   const PlanarCamera camera = portalCamera(portal, true, {0, 1.6, 1.5}, parameters, 3.0);
@@ -151,6 +153,22 @@ TEST(PortalCamera, WidensAboutItsMiddle) {
   const glm::dvec3 corner = projectPoint(camera, glm::dvec3(portal.polygon[0]));
   EXPECT_NEAR(corner.x, camera.width / 3.0, 1e-3);
   EXPECT_NEAR(corner.y, camera.height * 2 / 3.0, 1e-3);
+}
+
+TEST(PortalCamera, HasTheSameResolutionBeforeEveryPortal) {
+  ImageParameters parameters;
+  parameters.image_size = 210;  // one pixel a centimetre
+  parameters.portal_margin = 0;
+  Portal window = doorway();
+  for (glm::vec3& corner : window.polygon) corner.y = 0.9f + 0.5f * corner.y;
+  const PlanarCamera low = portalCamera(window, true, {0, 1.6, 1.5}, parameters);
+  EXPECT_EQ(low.height, 105);
+  EXPECT_EQ(low.width, 100);
+  // But no more pixels than the machine is sure to draw.
+  for (glm::vec3& corner : window.polygon) corner.x *= 100.0f;
+  const PlanarCamera wide = portalCamera(window, true, {0, 1.6, 1.5}, parameters);
+  EXPECT_EQ(wide.width, 4096);
+  EXPECT_EQ(wide.height, 43);
 }
 
 }  // namespace
