@@ -41,12 +41,12 @@ class Pencil {
     const glm::dvec2 off = glm::dvec2(p) - middle_;
     const double ahead = distance_ + epipole_.z * glm::dot(along_, off);
     const double meets = glm::dot(across_, off) * distance_ / (ahead == 0.0 ? 1e-12 : ahead);
-    return {std::atan(meets / spread_), ahead < 0.0};
+    return {meets / (spread_ + std::abs(meets)), ahead < 0.0};
   }
 
   /// The line through the epipole with Place::at.
   CutLine lineAt(double at) const noexcept {
-    const double meets = spread_ * std::tan(at);
+    const double meets = spread_ * at / std::max(1e-9, 1.0 - std::abs(at));
     const glm::dvec3 l = glm::cross(epipole_, glm::dvec3(middle_ + meets * across_, 1.0));
     const double length = glm::length(glm::dvec2(l));
     if (!(length > 1e-12)) return {across_.x, across_.y, -glm::dot(across_, middle_) - meets};

@@ -18,7 +18,6 @@ inline constexpr std::size_t kLayRoom = kLayBatch + hn::MaxLanes(DU());
 /// The patches of a batch of samples that cover pixels of the window: columns [x0, x1), rows [y0,
 /// y1), not empty.
 struct PatchBatch {
-  std::size_t count = 0;
   HWY_ALIGN std::int32_t x0[kLayRoom], x1[kLayRoom], y0[kLayRoom], y1[kLayRoom];
   HWY_ALIGN float x[kLayRoom], y[kLayRoom], disparity[kLayRoom];
   HWY_ALIGN float per_half_width[kLayRoom], per_half_height[kLayRoom];
@@ -37,9 +36,10 @@ HWY_INLINE VF footprint(VF half) {
   return hn::Min(hn::Max(hn::Set(df, R::kLeastHalf), larger), hn::Set(df, R::kGreatestHalf));
 }
 
-HWY_INLINE void placePatches(const TileTransform& transform, const StoredTransform& t,
-                             const LdiSample* samples, std::size_t begin, std::size_t end,
-                             const WarpWindow& window, PatchBatch& out) {
+/// Returns how many of samples [begin, end) do.
+HWY_INLINE std::size_t placePatches(const TileTransform& transform, const StoredTransform& t,
+                                    const LdiSample* samples, std::size_t begin, std::size_t end,
+                                    const WarpWindow& window, PatchBatch& out) {
   const DF df;
   const DI di;
   const VF left = hn::Set(df, static_cast<float>(window.left));
@@ -48,7 +48,7 @@ HWY_INLINE void placePatches(const TileTransform& transform, const StoredTransfo
   const VF bottom = hn::Set(df, static_cast<float>(window.bottom));
   const VF far = hn::Set(df, 1e7f);  // so that none of what follows overflows
   const VF one = hn::Set(df, 1.0f);
-  out.count = 0;
+  std::size_t n = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes(df)) {
     VU color, stored;
     loadSamples(samples, i, end, color, stored);
@@ -65,7 +65,6 @@ HWY_INLINE void placePatches(const TileTransform& transform, const StoredTransfo
     use = hn::And(use, hn::And(hn::Lt(hn::Abs(at.x), far), hn::Lt(hn::Abs(at.y), far)));
     use = hn::And(use, hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1)));
     use = hn::And(use, hn::FirstN(df, end - i));
-    const std::size_t n = out.count;
     const auto keepInts = [&](VF v, std::int32_t* to) {
       hn::CompressStore(hn::ConvertTo(di, v), hn::RebindMask(di, use), di, to + n);
     };
@@ -79,8 +78,9 @@ HWY_INLINE void placePatches(const TileTransform& transform, const StoredTransfo
     keep(at.disparity, out.disparity);
     keep(hn::Div(one, half_width), out.per_half_width);
     keep(hn::Div(one, half_height), out.per_half_height);
-    out.count += hn::CompressStore(color, hn::RebindMask(DU(), use), DU(), out.color + n);
+    n += hn::CompressStore(color, hn::RebindMask(DU(), use), DU(), out.color + n);
   }
+  return n;
 }
 
 /// Four pixels of a row, or two with 16 bits a channel.
@@ -180,10 +180,12 @@ template <Splat kSplat>
 void lay(const TileTransform& transform, const LdiSample* samples, std::size_t count,
          const WarpWindow& window) {
   const StoredTransform t(transform);
+  const WarpWindow to = window;  // which no pixel can be taken for a part of
   PatchBatch batch;
   for (std::size_t at = 0; at < count; at += kLayBatch) {
-    placePatches(transform, t, samples, at, std::min(count, at + kLayBatch), window, batch);
-    for (std::size_t i = 0; i < batch.count; ++i) layPatch<kSplat>(batch, i, window);
+    const std::size_t n =
+        placePatches(transform, t, samples, at, std::min(count, at + kLayBatch), to, batch);
+    for (std::size_t i = 0; i < n; ++i) layPatch<kSplat>(batch, i, to);
   }
 }
 

@@ -42,14 +42,14 @@ inline constexpr std::size_t kPaintBatch = 256;
 
 /// What falls into the window, of a batch of samples: where the splat's first pixel is, and colour.
 struct PaintBatch {
-  std::size_t count = 0;
   HWY_ALIGN std::int32_t first[kPaintBatch + hn::MaxLanes(DU())];
   HWY_ALIGN std::uint32_t color[kPaintBatch + hn::MaxLanes(DU())];
 };
 
+/// Returns how many of samples [begin, end) fall into the window.
 template <class Shape>
-HWY_INLINE void place(const StoredTransform& t, const LdiSample* samples, std::size_t begin,
-                      std::size_t end, const WarpWindow& window, PaintBatch& out) {
+HWY_INLINE std::size_t place(const StoredTransform& t, const LdiSample* samples, std::size_t begin,
+                             std::size_t end, const WarpWindow& window, PaintBatch& out) {
   const DF df;
   const DI di;
   const VF back = hn::Set(df, 0.5f * (Shape::kSide - 1));
@@ -59,7 +59,7 @@ HWY_INLINE void place(const StoredTransform& t, const LdiSample* samples, std::s
   const VF bottom = hn::Set(df, static_cast<float>(window.bottom));
   const auto stride = hn::Set(di, static_cast<std::int32_t>(window.stride));
   const VU opaque = hn::Set(DU(), 0xff000000u);
-  out.count = 0;
+  std::size_t n = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes(df)) {
     VU color, stored;
     loadSamples(samples, i, end, color, stored);
@@ -71,21 +71,26 @@ HWY_INLINE void place(const StoredTransform& t, const LdiSample* samples, std::s
     inside = hn::And(inside, hn::Gt(lanes.scale, hn::Zero(df)));
     inside = hn::And(inside, hn::FirstN(df, end - i));
     const auto first = hn::Add(hn::Mul(hn::ConvertTo(di, y), stride), hn::ConvertTo(di, x));
-    hn::CompressStore(first, hn::RebindMask(di, inside), di, out.first + out.count);
-    out.count += hn::CompressStore(hn::Or(color, opaque), hn::RebindMask(DU(), inside), DU(),
-                                   out.color + out.count);
+    hn::CompressStore(first, hn::RebindMask(di, inside), di, out.first + n);
+    n +=
+        hn::CompressStore(hn::Or(color, opaque), hn::RebindMask(DU(), inside), DU(), out.color + n);
   }
+  return n;
 }
 
 template <class Shape>
 void paint(const TileTransform& transform, const LdiSample* samples, std::size_t count,
            const WarpWindow& window) {
   const StoredTransform t(transform);
+  // Copies, as the painted pixels might be taken for what these are read from.
+  std::uint32_t* const painted = window.painted;
+  const std::ptrdiff_t stride = window.stride;
   PaintBatch batch;
   for (std::size_t at = 0; at < count; at += kPaintBatch) {
-    place<Shape>(t, samples, at, std::min(count, at + kPaintBatch), window, batch);
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      Shape::store(window.painted + batch.first[i], window.stride, batch.color[i]);
+    const std::size_t n =
+        place<Shape>(t, samples, at, std::min(count, at + kPaintBatch), window, batch);
+    for (std::size_t i = 0; i < n; ++i) {
+      Shape::store(painted + batch.first[i], stride, batch.color[i]);
     }
   }
 }

@@ -71,7 +71,7 @@ class WarpRounds {
     std::size_t all = 1;
     for (const WarpJob& job : jobs_) all += job.counts.samples;
     const auto threads =
-        static_cast<std::size_t>(options_.team != nullptr ? options_.team->size() : 1);
+        static_cast<std::size_t>(options_.team != nullptr ? options_.team->size() : 0);
     share(jobs_.size(), [&](std::size_t i) {
       const std::size_t samples = jobs_[i].counts.samples;
       const std::size_t share_of_all = (threads * samples + all / 2) / all;

@@ -4,6 +4,22 @@
 #include <system_error>
 
 namespace enfilade {
+namespace {
+
+/// Waits until `value` is no longer `old`: awake for as long as it takes to wake a thread up, since
+/// rounds of work follow each other closely.
+void waitWhile(const std::atomic<std::uint32_t>& value, std::uint32_t old) noexcept {
+  constexpr int kGlances = 4000;  // some 50 µs
+  for (int i = 0; i < kGlances; ++i) {
+    if (value.load() != old) return;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  value.wait(old);
+}
+
+}  // namespace
 
 ThreadTeam::ThreadTeam(int threads) {
   const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -34,7 +50,7 @@ void ThreadTeam::share(std::size_t count, Call call, const void* body) noexcept 
   ++round_;
   round_.notify_all();
   workOff();
-  for (std::uint32_t still = helping_; still > 0; still = helping_) helping_.wait(still);
+  for (std::uint32_t still = helping_; still > 0; still = helping_) waitWhile(helping_, still);
   busy_ = false;
 }
 
@@ -44,7 +60,7 @@ void ThreadTeam::workOff() noexcept {
 
 void ThreadTeam::help() noexcept {
   for (std::uint32_t round = 0;; ++round) {
-    round_.wait(round);
+    waitWhile(round_, round);
     if (ended_) return;
     workOff();
     if (--helping_ == 0) helping_.notify_one();

@@ -70,7 +70,7 @@ void addClips() {
 void addAll() {
   addClips();
   for (const SplatInfo& info : allSplats()) {
-    for (const int rows : {256, 512}) {
+    for (const int rows : {256, 768}) {  // the second has a million samples
       for (const int threads : {1, 2}) {
         benchmark::RegisterBenchmark((std::string("warp/") + info.name).c_str(),
                                      [&](benchmark::State& s) { everySample(s, info.splat); })
