@@ -93,6 +93,9 @@ void writeReport(const Report& report, StagedFolder& folder) {
   writeFileAtomically(folder.path() + "/frames.csv", framesCsv(report));
   writeFileAtomically(folder.path() + "/summary.json", summaryJson(report));
   writeFileAtomically(folder.path() + "/report.html", reportHtml(report));
+  if (report.findings.sheet) {
+    writePng(folder.path() + "/" + kContactSheetFile, report.findings.sheet->picture);
+  }
   folder.commit();
 }
 
@@ -124,7 +127,9 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   if (report.threads == 0) report.threads = report.machine.cores;
   {
     ProgressPrinter progress(context.quiet);
-    report.records = playBack(painter, path, camera, options.playback, progress.sink());
+    Playback played = playBack(painter, path, camera, options.playback, progress.sink());
+    report.records = std::move(played.records);
+    report.findings = std::move(played.findings);
   }
   writeReport(report, folder);
   printResult(reportTable(report) + "report: " + options.output + "/report.html\n");
@@ -169,7 +174,9 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
       ->check(limits(0, 10'000));
   command
       .add_flag("--quality", options.playback.quality,
-                "Compare every frame with geometry, untimed: PSNR, SSIM, pixels that differ")
+                "Compare every frame with geometry, untimed: PSNR and SSIM of the frame and inside "
+                "the portals' images, pixels that differ, flicker, the jump at switches; and keep "
+                "the worst frames in REPORT/contact-sheet.png")
       ->group("Pictures");
   command
       .add_option("--frames-dir", options.playback.frames_dir,
@@ -191,7 +198,8 @@ void addPlayCommand(CLI::App& program, CommandContext& context) {
       ->required();
   command
       ->add_option("-o,--output", options->output,
-                   "The report folder to write: report.html, summary.json, frames.csv")
+                   "The report folder to write: report.html, summary.json, frames.csv, and with "
+                   "--quality contact-sheet.png")
       ->required()
       ->type_name("REPORT");
   addPlayOptions(*command, *options);

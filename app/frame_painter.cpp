@@ -23,20 +23,23 @@ void FramePainter::prepare(Method method) {
   rays_ = std::make_unique<RayCaster>(house_.building, hidden, threads_);
 }
 
-FrameCost FramePainter::paint(Method method, const Camera& camera) {
+FrameCost FramePainter::paint(Method method, const Camera& camera,
+                              const std::optional<PortalSide>& as_geometry) {
   prepare(method);
+  seen_.clear();
   FrameCost cost;
   const MethodInfo& info = infoOf(method);
   const Stopwatch watch;
   if (method == Method::kRaycast) {
     paintRays(camera, cost);
   } else if (info.by_cells) {
-    paintCells(camera, info.portal_images, cost);
+    paintCells(camera, info.portal_images, as_geometry, cost);
   } else {
     paintView(camera, cost);
   }
   cost.frametime_ms = watch.totalMs();
   last_by_rays_ = method == Method::kRaycast;
+  clip_from_world_ = camera.clipFromWorld();
   return cost;
 }
 
@@ -57,14 +60,16 @@ void FramePainter::paintRays(const Camera& camera, FrameCost& cost) {
   cost.draw_ms = watch.lapMs();
 }
 
-void FramePainter::paintCells(const Camera& camera, bool portal_images, FrameCost& cost) {
+void FramePainter::paintCells(const Camera& camera, bool portal_images,
+                              const std::optional<PortalSide>& as_geometry, FrameCost& cost) {
   Stopwatch watch;
   const View view = camera.view();
   const CellId eye_cell = locate(house_.graph, house_.grid, view.eye).cell;
   ShowAsImage show_as_image;
   if (portal_images) {
     show_as_image = [&](const Portal&, PortalId id, bool from_front) {
-      return pictures_.showsImage(view.eye, id, from_front);
+      return as_geometry != PortalSide{id, from_front} &&
+             pictures_.showsImage(view.eye, id, from_front);
     };
   }
   const VisibleSet set = cullByPortals(house_.graph, view, eye_cell, show_as_image);
@@ -72,6 +77,9 @@ void FramePainter::paintCells(const Camera& camera, bool portal_images, FrameCos
   cost.cull_ms = watch.lapMs();
   cost.cells = set.cells.size();
   cost.portals = set.portals.size();
+  for (const VisiblePortal& portal : set.portals) {
+    seen_.push_back({{portal.portal, portal.from_front}, portal.as_image});
+  }
   renderer_.begin(width_, height_);
   double draw_ms = watch.lapMs();
   if (portal_images) pictures_.draw(set, camera, renderer_, cost);
@@ -87,6 +95,18 @@ void FramePainter::read(Image& out) {
   } else {
     renderer_.readColor(out);
   }
+}
+
+void FramePainter::readPortalMask(PortalMask& out) {
+  out.sides.clear();
+  out.of_pixel.clear();
+  std::vector<ScreenPolygon> polygons;
+  for (const SeenPortal& seen : seen_) {
+    if (!seen.as_image) continue;
+    out.sides.push_back(seen.side);
+    polygons.push_back(screenPolygonOf(house_.graph.portals[seen.side.portal]));
+  }
+  if (!polygons.empty()) renderer_.readVisible(polygons, clip_from_world_, out.of_pixel);
 }
 
 Camera walkingCamera(const House& house, float vertical_fov, int width, int height) {

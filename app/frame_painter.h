@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/frame_record.h"
+#include "app/portal_mask.h"
 #include "app/portal_pictures.h"
 #include "render/ray_caster.h"
 #include "visibility/object_index.h"
@@ -22,11 +24,22 @@ class FramePainter {
   /// Builds what `method` needs beforehand, so that its first frame does not pay for it.
   void prepare(Method method);
 
-  /// Paints the frame that `camera` sees and waits until it is done.
-  FrameCost paint(Method method, const Camera& camera);
+  /// Paints the frame that `camera` sees and waits until it is done.  The portal side `as_geometry`
+  /// shows no image, however far it is.
+  FrameCost paint(Method method, const Camera& camera,
+                  const std::optional<PortalSide>& as_geometry = {});
 
   /// The frame painted last.
   void read(Image& out);
+
+  /// Its OpenGL depth, row 0 on top.  Of a frame by rays: that of the frame before it.
+  void readDepth(std::vector<float>& out) { renderer_.readDepth(out); }
+
+  /// The portal sides that it sees; none where the method does not look for portals.
+  const std::vector<SeenPortal>& seenPortals() const noexcept { return seen_; }
+
+  /// Which of its pixels are of portals' images.  The last to read of a frame: depth is lost.
+  void readPortalMask(PortalMask& out);
 
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }
@@ -34,7 +47,8 @@ class FramePainter {
  private:
   void paintView(const Camera& camera, FrameCost& cost);
   void paintRays(const Camera& camera, FrameCost& cost);
-  void paintCells(const Camera& camera, bool portal_images, FrameCost& cost);
+  void paintCells(const Camera& camera, bool portal_images,
+                  const std::optional<PortalSide>& as_geometry, FrameCost& cost);
 
   const House& house_;
   ObjectIndex objects_;
@@ -43,6 +57,8 @@ class FramePainter {
   PortalPictures pictures_;
   std::unique_ptr<RayCaster> rays_;
   Image ray_picture_;
+  std::vector<SeenPortal> seen_;
+  glm::mat4 clip_from_world_{1};  ///< of the frame painted last
   int width_, height_, threads_;
   bool last_by_rays_ = false;
 };

@@ -15,7 +15,7 @@ std::optional<double> number(const std::optional<std::size_t>& count) {
 using R = const FrameRecord&;
 using V = std::optional<double>;
 
-constexpr std::array<FrameColumn, 15> kColumns = {{
+constexpr std::array<FrameColumn, 18> kColumns = {{
     {"frametime_ms", "frame_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.frametime_ms; }},
     {"cull_ms", "cull_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.cull_ms; }},
     {"warp_ms", "warp_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.warp_ms; }},
@@ -36,6 +36,11 @@ constexpr std::array<FrameColumn, 15> kColumns = {{
      [](R r) -> V { return r.quality ? V(r.quality->differing_percent) : V(); }},
     {"uncovered_percent", "uncovered_percent", 5, Tail::kHigh,
      [](R r) -> V { return r.cost.uncovered_percent; }},
+    {"psnr_portals_db", "psnr_portals_db", 3, Tail::kLow,
+     [](R r) -> V { return r.quality ? r.quality->psnr_portals_db : V(); }},
+    {"ssim_portals", "ssim_portals", 6, Tail::kLow,
+     [](R r) -> V { return r.quality ? r.quality->ssim_portals : V(); }},
+    {"flicker", "flicker", 5, Tail::kHigh, [](R r) -> V { return r.flicker; }},
 }};
 
 }  // namespace

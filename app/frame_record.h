@@ -31,7 +31,9 @@ struct FrameRecord {
   Method method = Method::kGeometry;
   std::size_t frame = 0;
   FrameCost cost;
-  std::optional<ImageQuality> quality;  ///< against `geometry`
+  std::optional<ImageQuality> quality = {};  ///< against `geometry`
+  std::optional<double> flicker =
+      {};  ///< [8-bit levels] against `geometry`; not of the first frame
 };
 
 /// A measured column of the report.

@@ -16,6 +16,15 @@ bool sameSize(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size();
 }
 
+std::uint64_t squaresOfPixel(const Image& a, const Image& b, std::size_t pixel) {
+  std::uint64_t squares = 0;
+  for (std::size_t i = 4 * pixel; i < 4 * pixel + 3; ++i) {
+    const int difference = a.rgba[i] - b.rgba[i];
+    squares += static_cast<std::uint64_t>(difference * difference);
+  }
+  return squares;
+}
+
 double psnrOfSquares(std::uint64_t squares, std::size_t pixels) {
   if (squares == 0) return kIdenticalPsnr;
   const double mean = static_cast<double>(squares) / (3.0 * static_cast<double>(pixels));
@@ -27,13 +36,36 @@ double psnrOfSquares(std::uint64_t squares, std::size_t pixels) {
 double psnr(const Image& a, const Image& b) {
   assert(sameSize(a, b));
   std::uint64_t squares = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int difference = a.rgba[i + c] - b.rgba[i + c];
-      squares += static_cast<std::uint64_t>(difference * difference);
-    }
-  }
+  for (std::size_t i = 0; i < pixelCount(a); ++i) squares += squaresOfPixel(a, b, i);
   return psnrOfSquares(squares, pixelCount(a));
+}
+
+std::optional<double> psnr(const Image& a, const Image& b, MaskView mask) {
+  assert(sameSize(a, b) && mask.size() == pixelCount(a));
+  std::uint64_t squares = 0;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] == 0) continue;
+    squares += squaresOfPixel(a, b, i);
+    ++pixels;
+  }
+  if (pixels == 0) return std::nullopt;
+  return psnrOfSquares(squares, pixels);
+}
+
+std::optional<double> meanDifference(const Image& a, const Image& b, MaskView mask) {
+  assert(sameSize(a, b) && mask.size() == pixelCount(a));
+  std::uint64_t sum = 0;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] == 0) continue;
+    for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) {
+      sum += static_cast<std::uint64_t>(std::abs(a.rgba[k] - b.rgba[k]));
+    }
+    ++pixels;
+  }
+  if (pixels == 0) return std::nullopt;
+  return static_cast<double>(sum) / (3.0 * static_cast<double>(pixels));
 }
 
 double differingPercent(const Image& a, const Image& b) {
@@ -46,10 +78,17 @@ double differingPercent(const Image& a, const Image& b) {
   return 100.0 * static_cast<double>(differing) / static_cast<double>(pixelCount(a));
 }
 
-ImageQuality compareImages(const Image& picture, const Image& truth) {
+ImageQuality compareImages(const Image& picture, const Image& truth, MaskView portals) {
   assert(sameSize(picture, truth));
-  if (picture.rgba == truth.rgba) return {};
-  return {psnr(picture, truth), ssim(picture, truth), differingPercent(picture, truth)};
+  ImageQuality quality;
+  if (!portals.empty()) quality.psnr_portals_db = psnr(picture, truth, portals);
+  if (picture.rgba == truth.rgba && !quality.psnr_portals_db) return quality;
+  const Similarity similarity = similarityOf(picture, truth, portals);
+  quality.psnr_db = psnr(picture, truth);
+  quality.ssim = similarity.mean;
+  quality.ssim_portals = similarity.mean_over_mask;
+  quality.differing_percent = differingPercent(picture, truth);
+  return quality;
 }
 
 }  // namespace enfilade

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/frame_painter.h"
-#include "preprocess/progress.h"
-#include "scene/camera_path.h"
+#include "app/frame_files.h"
+#include "app/quality_pass.h"
 
 namespace enfilade {
 
@@ -16,15 +15,16 @@ struct PlaybackParameters {
   std::string frames_dir;  ///< where to keep frames as METHOD/frame-00000.png; empty: nowhere
 };
 
-/// Plays `path` by each method in turn, and returns a record for each method and frame, in that
-/// order.  Every method has a pass of its own in which nothing but its frames is painted and timed;
-/// pictures are compared and kept in a second pass.  `camera` gives all but the pose.
-/// Throws Error (kMachine) when frames cannot be written.
-std::vector<FrameRecord> playBack(FramePainter& painter, const CameraPath& path,
-                                  const Camera& camera, const PlaybackParameters& parameters,
-                                  const ProgressSink& progress);
+struct Playback {
+  std::vector<FrameRecord> records;  ///< method after method, each with all frames
+  PictureFindings findings;          ///< with `quality`
+};
 
-/// Where a kept frame lies under its folder: "ldi/frame-00012.png".
-std::string frameFile(Method method, std::size_t frame);
+/// Plays `path` by each method in turn, and returns a record for each method and frame.  Every
+/// method has a pass of its own in which nothing but its frames is painted and timed; pictures are
+/// compared and kept in a second pass.  `camera` gives all but the pose. Throws Error (kMachine)
+/// when frames cannot be written.
+Playback playBack(FramePainter& painter, const CameraPath& path, const Camera& camera,
+                  const PlaybackParameters& parameters, const ProgressSink& progress);
 
 }  // namespace enfilade

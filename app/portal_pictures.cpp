@@ -52,6 +52,10 @@ void clear(Image& picture, const glm::ivec4& box) {
 
 }  // namespace
 
+ScreenPolygon screenPolygonOf(const Portal& portal) {
+  return {grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
+}
+
 PortalPictures::PortalPictures(const House& house, const PortalImages& images, int width,
                                int height)
     : house_(house), images_(images), width_(width), height_(height) {}
@@ -97,9 +101,8 @@ void PortalPictures::draw(const VisibleSet& set, const Camera& camera, Renderer&
   tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t i) { warp(desired, pictures_[i]); });
   cost.warp_ms = watch.lapMs();
   for (std::size_t i = 0; i < used_; ++i) {
-    // As large as it is taken for in culling; the solid jambs stand before what is too much.
-    const Portal& portal = house_.graph.portals[pictures_[i].portal->portal];
-    const ScreenPolygon polygon{grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
+    const ScreenPolygon polygon =
+        screenPolygonOf(house_.graph.portals[pictures_[i].portal->portal]);
     renderer.drawScreenPolygons({&polygon, 1}, pictures_[i].buffer.color, pictures_[i].box,
                                 camera.clipFromWorld());
   }

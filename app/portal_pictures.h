@@ -10,6 +10,10 @@
 
 namespace enfilade {
 
+/// Where a portal's image stands: as large as the portal is taken for in culling, since the solid
+/// jambs stand before what is too much.
+ScreenPolygon screenPolygonOf(const Portal& portal);
+
 /// The choice "geometry or image" for each portal, and the images' way into the frame.
 /// A portal side shows its image when it has one, the eye is on that side, and farther from the
 /// portal than the house's switch distance.

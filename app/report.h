@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/frame_record.h"
 #include "app/machine_info.h"
+#include "app/quality_pass.h"
 #include "app/statistics.h"
 
 namespace enfilade {
@@ -26,6 +28,7 @@ struct Report {
   std::vector<Method> methods;
   MachineInfo machine;
   std::vector<FrameRecord> records;  ///< method after method, each with all frames
+  PictureFindings findings;          ///< with --quality
   std::string frames_dir;  ///< where frames were kept, relative to the report; empty: nowhere
 };
 
@@ -37,6 +40,19 @@ const FrameColumn& columnNamed(const std::string& name);
 
 /// Median frame time of each method over that of each later one: "culling/ldi" → 2.1.
 std::vector<std::pair<std::string, double>> frameTimeRatios(const Report& report);
+
+/// The jumps of one method at its switches between image and geometry.
+struct JumpSummary {
+  std::size_t count = 0;
+  Summary levels, psnr_db;
+  SwitchJump worst;  ///< of the most levels; none if `count` is 0
+};
+
+/// Empty: nobody looked, or the method shows no images.
+std::optional<JumpSummary> jumpsOf(const Report& report, Method method);
+
+/// Where the contact sheet lies beside report.html.
+inline constexpr const char* kContactSheetFile = "contact-sheet.png";
 
 /// frames.csv: a row a frame and method, empty cells where there is nothing to measure.
 std::string framesCsv(const Report& report);

@@ -10,6 +10,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A column's value of every frame, null where there is none.
+Json seriesOf(const Report& report, Method method, const FrameColumn& column) {
+  const double scale = std::pow(10.0, column.decimals);
+  Json list = Json::array();
+  for (const FrameRecord& record : report.records) {
+    if (record.method != method) continue;
+    const std::optional<double> value = column.value(record);
+    list.push_back(value ? Json(std::round(*value * scale) / scale) : Json());
+  }
+  return list;
+}
+
 /// Every frame's values by method and column: what the page draws.
 Json seriesObject(const Report& report) {
   Json series = Json::object();
@@ -17,14 +29,29 @@ Json seriesObject(const Report& report) {
     Json& columns = series[infoOf(method).name];
     columns = Json::object();
     for (const FrameColumn& column : frameColumns()) {
-      const std::vector<double> values = columnValues(report, method, column);
-      if (values.empty()) continue;
-      const double scale = std::pow(10.0, column.decimals);
-      Json& list = columns[column.name];
-      for (const double value : values) list.push_back(std::round(value * scale) / scale);
+      if (columnValues(report, method, column).empty()) continue;
+      columns[column.name] = seriesOf(report, method, column);
     }
   }
   return series;
+}
+
+/// Where each picture of the contact sheet lies in it, and what it shows; null without a sheet.
+Json sheetObject(const Report& report) {
+  if (!report.findings.sheet) return {};
+  const ContactSheet& sheet = *report.findings.sheet;
+  Json columns = Json::array(), rows = Json::array();
+  for (const Method method : sheet.methods) columns.push_back(infoOf(method).name);
+  for (const ContactSheet::Row& row : sheet.rows) {
+    rows.push_back({{"frame", row.frame}, {"psnr_db", row.psnr_db}});
+  }
+  return {{"file", kContactSheetFile},
+          {"size", {sheet.picture.width, sheet.picture.height}},
+          {"cell", {sheet.cell.x, sheet.cell.y}},
+          {"gap", kSheetGap},
+          {"amplification", kSheetAmplification},
+          {"columns", columns},
+          {"rows", rows}};
 }
 
 /// JSON that may stand inside a script element: nothing in it can end the element.
@@ -51,6 +78,7 @@ std::string reportHtml(const Report& report) {
   const Json data = {{"summary", summaryObject(report)},
                      {"series", seriesObject(report)},
                      {"descriptions", descriptions},
+                     {"sheet", sheetObject(report)},
                      {"frames_dir", report.frames_dir}};
   std::string page(kReportPage);
   // The data last: what a person named must not be taken for a mark.

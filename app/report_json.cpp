@@ -33,12 +33,25 @@ Json summaryOf(const FrameColumn& column, const std::vector<double>& values) {
   return json;
 }
 
+/// How far the picture jumps at the switches between image and geometry.
+Json jumpObject(const JumpSummary& jumps) {
+  Json json{{"count", jumps.count}};
+  if (jumps.count == 0) return json;
+  json["levels"] = {{"p50", rounded(jumps.levels.p50)}, {"max", rounded(jumps.levels.max)}};
+  json["psnr_db"] = {{"p50", rounded(jumps.psnr_db.p50)}, {"min", rounded(jumps.psnr_db.min)}};
+  json["worst"] = {{"frame", jumps.worst.frame},
+                   {"portal", jumps.worst.event.side.portal},
+                   {"from_front", jumps.worst.event.side.from_front}};
+  return json;
+}
+
 Json methodObject(const Report& report, Method method) {
   Json json = Json::object();
   for (const FrameColumn& column : frameColumns()) {
     const std::vector<double> values = columnValues(report, method, column);
     if (!values.empty()) json[column.summary_name] = summaryOf(column, values);
   }
+  if (const auto jumps = jumpsOf(report, method)) json["switch_jump"] = jumpObject(*jumps);
   return json;
 }
 

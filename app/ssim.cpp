@@ -1,26 +1,23 @@
 // Wang, Bovik, Sheikh & Simoncelli, Image Quality Assessment: From Error Visibility to Structural
 // Similarity, 2004, sec. III.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <vector>
 
 #include "app/image_quality.h"
+#include "app/window_moments.h"
 
 namespace enfilade {
 
 namespace {
 
-constexpr int kTaps = 11;
-constexpr double kSigma = 1.5;
+constexpr int kTaps = static_cast<int>(kWindowTaps);
 constexpr double kC1 = (0.01 * 255) * (0.01 * 255);
 constexpr double kC2 = (0.03 * 255) * (0.03 * 255);
-
-/// What a window says of two pictures: means and raw second moments.
-struct Moments {
-  double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-};
 
 double similarity(const Moments& m) {
   const double var_a = m.aa - m.a * m.a;
@@ -28,17 +25,6 @@ double similarity(const Moments& m) {
   const double covariance = m.ab - m.a * m.b;
   return (2 * m.a * m.b + kC1) * (2 * covariance + kC2) /
          ((m.a * m.a + m.b * m.b + kC1) * (var_a + var_b + kC2));
-}
-
-std::array<double, kTaps> gaussian() {
-  std::array<double, kTaps> taps{};
-  double sum = 0;
-  for (int i = 0; i < kTaps; ++i) {
-    const double x = i - kTaps / 2;
-    sum += taps[static_cast<std::size_t>(i)] = std::exp(-x * x / (2 * kSigma * kSigma));
-  }
-  for (double& tap : taps) tap /= sum;
-  return taps;
 }
 
 std::vector<double> luma(const Image& image) {
@@ -65,62 +51,112 @@ double similarityOfWhole(const std::vector<double>& a, const std::vector<double>
   return similarity(m);
 }
 
-/// The five moments of every column, filtered down the rows of one row of windows.
-struct ColumnMoments {
-  std::vector<double> a, b, aa, bb, ab;
+/// Sums over a row of windows.
+struct RowSums {
+  double all = 0, masked = 0;
+  std::size_t masked_windows = 0;
+};
 
-  explicit ColumnMoments(std::size_t width) : a(width), b(width), aa(width), bb(width), ab(width) {}
-
-  void filter(const double* rows_a, const double* rows_b, const std::array<double, kTaps>& taps) {
-    const std::size_t width = a.size();
-    for (auto* moment : {&a, &b, &aa, &bb, &ab}) std::fill(moment->begin(), moment->end(), 0.0);
-    for (std::size_t k = 0; k < kTaps; ++k) {
-      const double* row_a = rows_a + k * width;
-      const double* row_b = rows_b + k * width;
-      const double tap = taps[k];
-      for (std::size_t x = 0; x < width; ++x) {
-        const double wa = tap * row_a[x];
-        const double wb = tap * row_b[x];
-        a[x] += wa;
-        b[x] += wb;
-        aa[x] += wa * row_a[x];
-        bb[x] += wb * row_b[x];
-        ab[x] += wa * row_b[x];
-      }
-    }
+/// Two pictures' luma and where they differ.
+class Comparison {
+ public:
+  Comparison(const Image& a, const Image& b, std::span<const std::uint8_t> mask)
+      : luma_a_(luma(a)),
+        luma_b_(luma(b)),
+        mask_(mask),
+        width_(static_cast<std::size_t>(a.width)),
+        columns_(width_ - kTaps + 1),
+        rows_(static_cast<std::size_t>(a.height) - kTaps + 1),
+        differing_(static_cast<std::size_t>(a.height)) {
+    for (std::size_t y = 0; y < differing_.size(); ++y) differing_[y] = differingColumns(y);
   }
 
-  Moments at(std::size_t x, const std::array<double, kTaps>& taps) const {
-    Moments m;
-    for (std::size_t k = 0; k < kTaps; ++k) {
-      m.a += taps[k] * a[x + k];
-      m.b += taps[k] * b[x + k];
-      m.aa += taps[k] * aa[x + k];
-      m.bb += taps[k] * bb[x + k];
-      m.ab += taps[k] * ab[x + k];
+  std::size_t rows() const noexcept { return rows_; }
+  std::size_t columns() const noexcept { return columns_; }
+
+  /// Of the windows whose first row is y.
+  RowSums sumRow(std::size_t y, WindowRow& row) const {
+    // A window in which nothing differs has similarity 1 to the last bit.
+    const Columns windows = windowsThatDiffer(y);
+    RowSums sums;
+    sums.all = static_cast<double>(columns_ - (windows.high - windows.low));
+    if (windows.low < windows.high) {
+      row.filter(&luma_a_[y * width_], &luma_b_[y * width_], windows);
     }
-    return m;
+    const std::uint8_t* const mask =
+        mask_.empty() ? nullptr : &mask_[(y + kTaps / 2) * width_ + kTaps / 2];
+    for (std::size_t x = 0; x < columns_; ++x) {
+      const bool masked = mask && mask[x] != 0;
+      const bool differs = x >= windows.low && x < windows.high;
+      if (!masked && !differs) continue;
+      const double value = differs ? similarity(row.at(x)) : 1.0;
+      if (differs) sums.all += value;
+      if (masked) sums.masked += value;
+      sums.masked_windows += masked;
+    }
+    return sums;
   }
+
+ private:
+  Columns differingColumns(std::size_t y) const {
+    const double* const a = &luma_a_[y * width_];
+    const double* const b = &luma_b_[y * width_];
+    Columns columns{0, width_};
+    while (columns.low < width_ && a[columns.low] == b[columns.low]) ++columns.low;
+    while (columns.high > columns.low && a[columns.high - 1] == b[columns.high - 1]) --columns.high;
+    return columns;
+  }
+
+  Columns windowsThatDiffer(std::size_t y) const {
+    Columns pixels{width_, 0};
+    for (std::size_t k = 0; k < kTaps; ++k) {
+      const Columns& row = differing_[y + k];
+      if (row.low >= row.high) continue;
+      pixels = {std::min(pixels.low, row.low), std::max(pixels.high, row.high)};
+    }
+    if (pixels.low >= pixels.high) return {};
+    return {pixels.low - std::min<std::size_t>(pixels.low, kTaps - 1),
+            std::min(pixels.high, columns_)};
+  }
+
+  std::vector<double> luma_a_, luma_b_;
+  std::span<const std::uint8_t> mask_;
+  std::size_t width_, columns_, rows_;
+  std::vector<Columns> differing_;  ///< one a row of pixels
 };
 
 }  // namespace
 
-double ssim(const Image& a, const Image& b) {
+Similarity similarityOf(const Image& a, const Image& b, std::span<const std::uint8_t> mask) {
   assert(a.width == b.width && a.height == b.height);
-  const std::vector<double> luma_a = luma(a);
-  const std::vector<double> luma_b = luma(b);
-  if (a.width < kTaps || a.height < kTaps) return similarityOfWhole(luma_a, luma_b);
-  const std::array<double, kTaps> taps = gaussian();
-  const auto width = static_cast<std::size_t>(a.width);
-  const std::size_t columns = width - kTaps + 1;
-  const std::size_t rows = static_cast<std::size_t>(a.height) - kTaps + 1;
-  ColumnMoments moments(width);
-  double sum = 0;
-  for (std::size_t y = 0; y < rows; ++y) {
-    moments.filter(&luma_a[y * width], &luma_b[y * width], taps);
-    for (std::size_t x = 0; x < columns; ++x) sum += similarity(moments.at(x, taps));
+  assert(mask.empty() || mask.size() == a.rgba.size() / 4);
+  if (a.width < kTaps || a.height < kTaps) {
+    const double whole = similarityOfWhole(luma(a), luma(b));
+    const bool any = std::any_of(mask.begin(), mask.end(), [](std::uint8_t m) { return m != 0; });
+    return {whole, any ? std::optional(whole) : std::nullopt};
   }
-  return sum / static_cast<double>(rows * columns);
+  const Comparison comparison(a, b, mask);
+  std::vector<RowSums> sums(comparison.rows());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sums.size(), 16), [&](const auto& range) {
+    WindowRow row(static_cast<std::size_t>(a.width));
+    for (std::size_t y = range.begin(); y < range.end(); ++y) {
+      sums[y] = comparison.sumRow(y, row);
+    }
+  });
+  // Row after row, so that the threads do not show in the last digit.
+  RowSums total;
+  for (const RowSums& row : sums) {
+    total.all += row.all;
+    total.masked += row.masked;
+    total.masked_windows += row.masked_windows;
+  }
+  Similarity result{total.all / static_cast<double>(comparison.rows() * comparison.columns()), {}};
+  if (total.masked_windows > 0) {
+    result.mean_over_mask = total.masked / static_cast<double>(total.masked_windows);
+  }
+  return result;
 }
+
+double ssim(const Image& a, const Image& b) { return similarityOf(a, b, {}).mean; }
 
 }  // namespace enfilade

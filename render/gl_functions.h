@@ -21,6 +21,7 @@
   X(Clear, CLEAR)                                     \
   X(ClearColor, CLEARCOLOR)                           \
   X(ClearDepth, CLEARDEPTH)                           \
+  X(ColorMask, COLORMASK)                             \
   X(CompileShader, COMPILESHADER)                     \
   X(CreateProgram, CREATEPROGRAM)                     \
   X(CreateShader, CREATESHADER)                       \

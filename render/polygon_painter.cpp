@@ -1,5 +1,6 @@
 #include "render/polygon_painter.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "render/gl_program.h"
@@ -12,6 +13,7 @@ PolygonPainter::PolygonPainter(const GlFunctions& gl) : gl_(gl) {
       createProgram(gl, kPolygonVertexShader, kScreenPolygonFragmentShader, kPolygonAttributes);
   textured_program_ =
       createProgram(gl, kPolygonVertexShader, kTexturedPolygonFragmentShader, kPolygonAttributes);
+  mark_program_ = createProgram(gl, kPolygonVertexShader, kMarkFragmentShader, kPolygonAttributes);
   gl.GenVertexArrays(1, &vertex_array_);
   gl.GenBuffers(1, &buffer_);
   gl.BindVertexArray(vertex_array_);
@@ -26,6 +28,7 @@ PolygonPainter::PolygonPainter(const GlFunctions& gl) : gl_(gl) {
 PolygonPainter::~PolygonPainter() {
   gl_.DeleteProgram(screen_program_);
   gl_.DeleteProgram(textured_program_);
+  gl_.DeleteProgram(mark_program_);
   gl_.DeleteVertexArrays(1, &vertex_array_);
   gl_.DeleteBuffers(1, &buffer_);
   for (const Texture& texture : textures_) gl_.DeleteTextures(1, &texture.name);
@@ -107,5 +110,42 @@ void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                     GL_UNSIGNED_BYTE, texture.rgba.data());
   drawTriangles(textured_program_, clip_from_world);
 }
+
+void PolygonPainter::setTriangles(std::span<const glm::vec3> polygon) {
+  triangles_.clear();
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+      triangles_.push_back({polygon[corner], glm::vec2(0)});
+    }
+  }
+}
+
+void PolygonPainter::setAlphaOfAll(float alpha) {
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl_.ClearColor(0, 0, 0, alpha);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void PolygonPainter::markVisible(std::span<const ScreenPolygon> polygons,
+                                 const glm::mat4& clip_from_world) {
+  setAlphaOfAll(0);
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  // Where the polygon was drawn its own depth stands, where it was transparent a greater one.
+  // Backwards, so that of polygons at one depth the first stays, as when they were drawn.
+  gl_.DepthFunc(GL_LEQUAL);
+  for (std::size_t i = polygons.size(); i-- > 0;) {
+    setTriangles(polygons[i].polygon);
+    if (triangles_.empty()) continue;
+    gl_.UseProgram(mark_program_);
+    gl_.Uniform1f(gl_.GetUniformLocation(mark_program_, "mark"),
+                  static_cast<float>(std::min<std::size_t>(i + 1, 255)) / 255.0f);
+    drawTriangles(mark_program_, clip_from_world);
+  }
+  gl_.DepthFunc(GL_LESS);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void PolygonPainter::clearMarks() { setAlphaOfAll(1); }
 
 }  // namespace enfilade

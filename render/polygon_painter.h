@@ -28,6 +28,12 @@ class PolygonPainter {
   void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
                            const Image& texture, const glm::mat4& clip_from_world);
 
+  /// Sets the frame's alpha to what Renderer::readVisible returns, in 255ths, and nothing else but
+  /// depth.
+  void markVisible(std::span<const ScreenPolygon> polygons, const glm::mat4& clip_from_world);
+  /// Sets the frame's alpha to 1 again.
+  void clearMarks();
+
  private:
   struct Vertex {
     glm::vec3 position;
@@ -40,11 +46,14 @@ class PolygonPainter {
   };
 
   void bindTexture(int width, int height, bool by_pixel);
+  void setTriangles(std::span<const glm::vec3> polygon);
+  void setAlphaOfAll(float alpha);
   void drawTriangles(GLuint program, const glm::mat4& clip_from_world);
 
   const GlFunctions& gl_;
   GLuint screen_program_ = 0;
   GLuint textured_program_ = 0;
+  GLuint mark_program_ = 0;
   GLuint vertex_array_ = 0;
   GLuint buffer_ = 0;
   std::vector<Vertex> triangles_;

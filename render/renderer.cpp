@@ -112,6 +112,17 @@ void Renderer::readColor(Image& out) {
   impl_->gl.ReadPixels(0, 0, out.width, out.height, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
 }
 
+void Renderer::readVisible(std::span<const ScreenPolygon> polygons,
+                           const glm::mat4& clip_from_world, std::vector<std::uint8_t>& out) {
+  impl_->rebind();
+  impl_->polygons.markVisible(polygons, upsideDown(clip_from_world));
+  Image marked;
+  readColor(marked);
+  impl_->polygons.clearMarks();
+  out.resize(marked.rgba.size() / 4);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = marked.rgba[4 * i + 3];
+}
+
 void Renderer::readDepth(std::vector<float>& out) {
   const int width = impl_->frame.width();
   const int height = impl_->frame.height();

@@ -79,6 +79,14 @@ class Renderer {
   void readColor(Image& out);  ///< resized to the frame; never allocates when the size is the same
   void readDepth(std::vector<float>& out);
 
+  /// Which of `polygons` each pixel shows: 0 none, else 1 + the index of the nearest one that
+  /// nothing drawn stands before (of more than 255 polygons the last ones share 255).  Pixels that
+  /// a screen polygon's picture left transparent are the polygon's too, whatever shows through
+  /// there. The polygons are those that were drawn.  Call it last: the colours stay, the depth does
+  /// not.
+  void readVisible(std::span<const ScreenPolygon> polygons, const glm::mat4& clip_from_world,
+                   std::vector<std::uint8_t>& out);
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

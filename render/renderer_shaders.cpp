@@ -116,4 +116,10 @@ out vec4 pixel;
 void main() { pixel = vec4(texture(image, v_texcoord).rgb, 1.0); }
 )";
 
+const char* const kMarkFragmentShader = R"(#version 330 core
+uniform float mark;
+out vec4 pixel;
+void main() { pixel = vec4(mark); }
+)";
+
 }  // namespace enfilade

@@ -30,10 +30,12 @@ std::string vertexShader(const ProgramVariant& variant);
 std::string fragmentShader(const ProgramVariant& variant);
 
 /// Programs of a polygon (attributes position and texcoord): coloured by the fragment's own place
-/// in the sampler2D `image`, passing where its alpha is 0; and by texture coordinates.
+/// in the sampler2D `image`, passing where its alpha is 0; by texture coordinates; and by the float
+/// `mark` alone, in alpha.
 inline constexpr std::array<const char*, 2> kPolygonAttributes = {"position", "texcoord"};
 extern const char* const kPolygonVertexShader;
 extern const char* const kScreenPolygonFragmentShader;
 extern const char* const kTexturedPolygonFragmentShader;
+extern const char* const kMarkFragmentShader;
 
 }  // namespace enfilade

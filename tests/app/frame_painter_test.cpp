@@ -96,7 +96,8 @@ TEST_F(FramePainterTest, PlaybackRecordsEveryFrameOfEveryMethodAndKeepsPictures)
                 .frames_dir = here.path()},
                [&](const std::string& stage, double) {
                  if (stages.empty() || stages.back() != stage) stages.push_back(stage);
-               });
+               })
+          .records;
   ASSERT_EQ(records.size(), 10u);
   for (std::size_t i = 0; i < records.size(); ++i) {
     EXPECT_EQ(records[i].method, i < 5 ? Method::kGeometry : Method::kCulling);

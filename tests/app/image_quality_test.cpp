@@ -1,6 +1,7 @@
 #include "app/image_quality.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,10 @@ double lumaAt(const Image& image, int x, int y) {
   return 0.299 * image.rgba[i] + 0.587 * image.rgba[i + 1] + 0.114 * image.rgba[i + 2];
 }
 
-/// The definition, window by window: weighted means, then central moments about them.
-double bruteForceSsim(const Image& a, const Image& b) {
+/// The definition, window by window: weighted means, then central moments about them.  The mean
+/// over the windows whose middle `counts(x, y)`.
+template <typename Counts>
+double bruteForceSsim(const Image& a, const Image& b, const Counts& counts) {
   const auto weight = [](int dx, int dy) {
     return std::exp(-(dx * dx + dy * dy) / (2 * 1.5 * 1.5));
   };
@@ -49,7 +52,9 @@ double bruteForceSsim(const Image& a, const Image& b) {
   double sum = 0;
   int windows = 0;
   for (int y = 5; y + 5 < a.height; ++y) {
-    for (int x = 5; x + 5 < a.width; ++x, ++windows) {
+    for (int x = 5; x + 5 < a.width; ++x) {
+      if (!counts(x, y)) continue;
+      ++windows;
       double mean_a = 0, mean_b = 0, var_a = 0, var_b = 0, covariance = 0;
       for (int dy = -5; dy <= 5; ++dy) {
         for (int dx = -5; dx <= 5; ++dx) {
@@ -124,8 +129,83 @@ TEST(ImageQuality, SsimIsTheDefinitionWindowByWindow) {
   for (const int amount : {3, 40, 200}) {
     const Image truth = noise(37, 23, 5);
     const Image picture = disturbed(truth, amount, 6);
-    EXPECT_NEAR(ssim(picture, truth), bruteForceSsim(picture, truth), 1e-9) << amount;
+    const auto all = [](int, int) { return true; };
+    EXPECT_NEAR(ssim(picture, truth), bruteForceSsim(picture, truth, all), 1e-9) << amount;
   }
+}
+
+/// Of a few pixels here and there, with a byte of its own each.
+std::vector<std::uint8_t> scatteredMask(int width, int height) {
+  std::vector<std::uint8_t> mask;
+  for (int i = 0; i < width * height; ++i) {
+    mask.push_back(static_cast<std::uint8_t>(i % 7 < 2 ? i % 250 + 1 : 0));
+  }
+  return mask;
+}
+
+TEST(ImageQuality, SsimOverAMaskIsTheMeanOfTheWindowsAroundItsPixels) {
+  const Image truth = noise(37, 23, 5);
+  const std::vector<std::uint8_t> mask = scatteredMask(37, 23);
+  const Image picture = disturbed(truth, 60, 6);
+  const auto masked = [&](int x, int y) { return mask[static_cast<std::size_t>(y * 37 + x)] != 0; };
+  const Similarity similarity = similarityOf(picture, truth, mask);
+  EXPECT_EQ(similarity.mean, ssim(picture, truth));
+  EXPECT_NEAR(similarity.mean_over_mask.value(), bruteForceSsim(picture, truth, masked), 1e-9);
+}
+
+TEST(ImageQuality, SsimOfPicturesThatDifferInOnePlaceIsTheDefinitionToo) {
+  const Image truth = noise(60, 50, 5);
+  const std::vector<std::uint8_t> mask = scatteredMask(60, 50);
+  const auto all = [](int, int) { return true; };
+  const auto masked = [&](int x, int y) { return mask[static_cast<std::size_t>(y * 60 + x)] != 0; };
+  for (const int at : {0, 25 * 60 + 30, 20 * 60 + 59, 49 * 60 + 59}) {
+    Image picture = truth;
+    for (std::size_t c = 0; c < 3; ++c) picture.rgba[4 * static_cast<std::size_t>(at) + c] ^= 128;
+    const Similarity similarity = similarityOf(picture, truth, mask);
+    EXPECT_NEAR(similarity.mean, bruteForceSsim(picture, truth, all), 1e-9) << at;
+    EXPECT_NEAR(*similarity.mean_over_mask, bruteForceSsim(picture, truth, masked), 1e-9) << at;
+    EXPECT_LT(similarity.mean, 1) << at;
+  }
+}
+
+TEST(ImageQuality, SsimIsTheSameForAnyNumberOfThreads) {
+  const Image truth = noise(200, 180, 5);
+  const Image picture = disturbed(truth, 40, 6);
+  const std::vector<std::uint8_t> mask = scatteredMask(200, 180);
+  const Similarity many = similarityOf(picture, truth, mask);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const Similarity alone = similarityOf(picture, truth, mask);
+  EXPECT_EQ(many.mean, alone.mean);
+  EXPECT_EQ(many.mean_over_mask, alone.mean_over_mask);
+}
+
+TEST(ImageQuality, AMaskAtTheBorderHasNoWindows) {
+  const Image truth = noise(40, 30, 5);
+  std::vector<std::uint8_t> mask(40 * 30, 0);
+  EXPECT_FALSE(similarityOf(truth, disturbed(truth, 9, 6), mask).mean_over_mask);
+  EXPECT_FALSE(psnr(truth, truth, mask));
+  EXPECT_FALSE(meanDifference(truth, truth, mask));
+  mask[3] = mask[20 * 40 + 4] = mask[25 * 40 + 20] = 1;
+  EXPECT_FALSE(similarityOf(truth, disturbed(truth, 9, 6), mask).mean_over_mask);
+  EXPECT_EQ(psnr(truth, truth, mask), kIdenticalPsnr);
+}
+
+TEST(ImageQuality, OverAMaskOnlyItsPixelsCount) {
+  Image other = uniform(20, 20, 100);
+  for (std::size_t i = 100; i < 300; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) other.rgba[4 * i + c] = i < 200 ? 105 : 255;
+  }
+  std::vector<std::uint8_t> mask(400, 0);
+  std::fill_n(mask.begin() + 100, 100, std::uint8_t{1});
+  const Image truth = uniform(20, 20, 100);
+  EXPECT_NEAR(psnr(other, truth, mask).value(), 34.1514, 1e-4);  // all off by 5
+  EXPECT_DOUBLE_EQ(meanDifference(other, truth, mask).value(), 5);
+  const ImageQuality quality = compareImages(other, truth, mask);
+  EXPECT_EQ(quality.psnr_portals_db, psnr(other, truth, mask));
+  EXPECT_EQ(quality.psnr_db, psnr(other, truth));
+  EXPECT_TRUE(quality.ssim_portals);
+  EXPECT_FALSE(compareImages(other, truth).psnr_portals_db);
+  EXPECT_FALSE(compareImages(other, truth).ssim_portals);
 }
 
 TEST(ImageQuality, MoreNoiseIsWorseByEveryMeasure) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/contact_sheet.h"
 #include "scene/camera_path.h"
 #include "scene/gltf_writer.h"
 #include "tests/app/run_program.h"
@@ -137,7 +138,7 @@ TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
 }
 
 TEST_F(WholeJob, TheReportIsWhole) {
-  EXPECT_EQ(bytesBelow("report").size(), 3u);
+  EXPECT_EQ(bytesBelow("report").size(), 4u);
   const std::string csv = textOf(path("report/frames.csv"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 12);
   const Json summary = Json::parse(textOf(path("report/summary.json")));
@@ -150,6 +151,15 @@ TEST_F(WholeJob, TheReportIsWhole) {
   EXPECT_GT(summary["methods"]["ldi"]["portals_as_images"]["max"], 0)
       << "no portal ever showed its image: the walk is too short to tell";
   EXPECT_TRUE(summary["ratios"].contains("culling/ldi"));
+  EXPECT_EQ(summary["methods"]["culling"]["flicker"]["max"], 0);
+  EXPECT_TRUE(summary["methods"]["ldi"].contains("flicker"));
+  EXPECT_GT(summary["methods"]["ldi"]["psnr_portals_db"]["mean"], 20);
+  EXPECT_LE(summary["methods"]["ldi"]["psnr_portals_db"]["min"],
+            summary["methods"]["ldi"]["psnr_db"]["min"]);
+  EXPECT_TRUE(summary["methods"]["ldi"]["switch_jump"]["count"].is_number_unsigned());
+  const Image sheet = readImage(path("report/contact-sheet.png"));
+  EXPECT_EQ((sheet.width + kSheetGap) % (80 + kSheetGap), 0);
+  EXPECT_EQ((sheet.width + kSheetGap) / (80 + kSheetGap), 3) << "geometry, ldi, difference";
   const std::string page = textOf(path("report/report.html"));
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_NE(page.find("\"frames_dir\":\"../frames\""), std::string::npos);
