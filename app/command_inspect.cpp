@@ -20,25 +20,15 @@ struct InspectOptions {
   bool json = false;
 };
 
-std::size_t countImageSides(const House& house, const std::string& folder) {
-  std::size_t count = 0;
-  for (PortalId portal = 0; portal < house.graph.portals.size(); ++portal) {
-    for (const bool from_front : {true, false}) {
-      count += std::filesystem::exists(portalImageFolder(folder, portal, from_front) + "/ldi.bin");
-    }
-  }
-  return count;
-}
-
 void inspectHouse(const InspectOptions& options, bool quiet) {
   const House house = readHouse(options.input);
-  const std::size_t sides = countImageSides(house, options.input);
+  const ImageCounts images = countImages(house, options.input);
   if (!options.plan.empty()) {
     writeFileAtomically(options.plan, floorPlanSvg(house));
     printNote(quiet, options.plan + ": the floor plan");
   }
-  printResult(options.json ? houseJson(options.input, house, sides)
-                           : houseText(options.input, house, sides));
+  printResult(options.json ? houseJson(options.input, house, images)
+                           : houseText(options.input, house, images));
 }
 
 void inspectModel(const InspectOptions& options) {

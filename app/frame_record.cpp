@@ -15,9 +15,10 @@ std::optional<double> number(const std::optional<std::size_t>& count) {
 using R = const FrameRecord&;
 using V = std::optional<double>;
 
-constexpr std::array<FrameColumn, 15> kColumns = {{
+constexpr std::array<FrameColumn, 16> kColumns = {{
     {"frametime_ms", "frame_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.frametime_ms; }},
     {"cull_ms", "cull_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.cull_ms; }},
+    {"capture_ms", "capture_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.capture_ms; }},
     {"warp_ms", "warp_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.warp_ms; }},
     {"composite_ms", "composite_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.composite_ms; }},
     {"draw_ms", "draw_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.draw_ms; }},

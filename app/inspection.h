@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/portal_images.h"
 #include "portals/house.h"
 #include "scene/building.h"
 
@@ -36,8 +37,8 @@ std::string modelText(const std::string& file, const Building& building,
 std::string modelJson(const std::string& file, const Building& building,
                       const std::vector<std::string>& warnings);
 
-/// What `enfilade inspect` prints of a house.  `image_sides` counts the portal sides with an image.
-std::string houseText(const std::string& folder, const House& house, std::size_t image_sides);
-std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides);
+/// What `enfilade inspect` prints of a house and its images.
+std::string houseText(const std::string& folder, const House& house, const ImageCounts& images);
+std::string houseJson(const std::string& folder, const House& house, const ImageCounts& images);
 
 }  // namespace enfilade

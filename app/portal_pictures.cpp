@@ -6,11 +6,15 @@
 #include <cmath>
 
 #include "app/stopwatch.h"
+#include "ibr/portal_texture.h"
 #include "portals/polygon.h"
 
 namespace enfilade {
 
 namespace {
+
+constexpr std::uint64_t kMostViewpoints =
+    256;  // of a side, so that textures have keys of their own
 
 /// NDC to pixels, row 0 on top.
 std::vector<glm::vec2> toPixels(const std::vector<glm::vec2>& corners, const Image& frame) {
@@ -52,22 +56,16 @@ void clear(Image& picture, const glm::ivec4& box) {
 
 }  // namespace
 
-PortalPictures::PortalPictures(const House& house, const PortalImages& images, int width,
-                               int height)
-    : house_(house), images_(images), width_(width), height_(height) {}
-
-bool PortalPictures::showsImage(const glm::vec3& eye, PortalId id, bool from_front) const {
-  if (!images_.find(id, from_front)) return false;
-  const Portal& portal = house_.graph.portals[id];
-  const float ahead = portal.plane.signedDistance(eye);
-  return (from_front ? ahead > 0 : ahead < 0) &&
-         distanceToPolygon(portal.polygon, portal.plane, eye) > house_.switch_distance;
-}
+PortalPictures::PortalPictures(const House& house, int width, int height)
+    : house_(house),
+      texture_margin_(imageParametersFrom(house.info.parameters, "house.json").portal_margin),
+      width_(width),
+      height_(height) {}
 
 void PortalPictures::warp(const PlanarCamera& desired, Picture& picture) const {
   Image& color = picture.buffer.color;
   if (color.rgba.empty()) picture.buffer.resize(width_, height_);
-  const Ldi& ldi = *images_.find(picture.portal->portal, picture.portal->from_front);
+  const std::span images(picture.chosen.warped.data(), picture.chosen.warped_count);
   std::vector<std::vector<glm::vec2>> regions;
   picture.box = {width_, height_, 0, 0};
   for (const ScreenRegion& region : picture.portal->regions) {
@@ -77,48 +75,77 @@ void PortalPictures::warp(const PlanarCamera& desired, Picture& picture) const {
   clear(color, picture.box);
   picture.counts = {};
   for (const auto& region : regions) {
-    const WarpCounts counts = warpLdi(ldi, desired, region, picture.buffer);
+    const WarpCounts counts = warpImages(images, desired, region, picture.buffer);
     picture.counts.samples += counts.samples;
     picture.counts.samples_clipped += counts.samples_clipped;
     picture.counts.pixels_uncovered += counts.pixels_uncovered;
   }
 }
 
-void PortalPictures::draw(const VisibleSet& set, const Camera& camera, Renderer& renderer,
-                          FrameCost& cost) {
-  Stopwatch watch;
-  used_ = 0;
-  for (const VisiblePortal& visible : set.portals) {
-    if (!visible.as_image) continue;
-    if (used_ == pictures_.size()) pictures_.emplace_back();
-    pictures_[used_++].portal = &visible;
-  }
+void PortalPictures::warpAll(const Camera& camera, FrameCost& cost) {
   const PlanarCamera desired = planarCamera(camera, width_, height_);
   tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t i) { warp(desired, pictures_[i]); });
-  cost.warp_ms = watch.lapMs();
-  for (std::size_t i = 0; i < used_; ++i) {
-    // As large as it is taken for in culling; the solid jambs stand before what is too much.
-    const Portal& portal = house_.graph.portals[pictures_[i].portal->portal];
-    const ScreenPolygon polygon{grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
-    renderer.drawScreenPolygons({&polygon, 1}, pictures_[i].buffer.color, pictures_[i].box,
-                                camera.clipFromWorld());
-  }
-  cost.composite_ms = watch.lapMs();
-  addCounts(cost);
-}
-
-void PortalPictures::addCounts(FrameCost& cost) const {
   WarpCounts sum;
   for (std::size_t i = 0; i < used_; ++i) {
     sum.samples += pictures_[i].counts.samples;
     sum.samples_clipped += pictures_[i].counts.samples_clipped;
     sum.pixels_uncovered += pictures_[i].counts.pixels_uncovered;
   }
-  cost.portals_as_images = used_;
   cost.samples = sum.samples;
   cost.samples_clipped = sum.samples_clipped;
   cost.uncovered_percent =
       100.0 * static_cast<double>(sum.pixels_uncovered) / (static_cast<double>(width_) * height_);
+}
+
+// A portal is drawn as large as it is taken for in culling; the solid jambs stand before what is
+// too much.
+
+void PortalPictures::drawWarped(const Picture& picture, const Camera& camera,
+                                Renderer& renderer) const {
+  const Portal& portal = house_.graph.portals[picture.portal->portal];
+  const ScreenPolygon polygon{grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
+  renderer.drawScreenPolygons({&polygon, 1}, picture.buffer.color, picture.box,
+                              camera.clipFromWorld());
+}
+
+void PortalPictures::drawTexture(const Picture& picture, const Camera& camera,
+                                 Renderer& renderer) const {
+  const auto [id, from_front] = std::pair(picture.portal->portal, picture.portal->from_front);
+  const Portal& portal = house_.graph.portals[id];
+  const std::vector<glm::vec3> polygon = grownPolygon(portal.polygon, portal.plane, kPortalMargin);
+  const std::uint64_t key = 1 + kMostViewpoints * (2 * std::uint64_t{id} + (from_front ? 0 : 1)) +
+                            picture.chosen.texture_index;
+  renderer.drawTexturedPolygon(polygon,
+                               textureCoordinates(portal, from_front, texture_margin_, polygon),
+                               *picture.chosen.texture, camera.clipFromWorld(), key);
+}
+
+void PortalPictures::draw(const MethodInfo& method, const PortalImages& images,
+                          const VisibleSet& set, const Camera& camera, Renderer& renderer,
+                          FrameCost& cost) {
+  Stopwatch watch;
+  used_ = 0;
+  for (const VisiblePortal& visible : set.portals) {
+    if (!visible.as_image) continue;
+    if (used_ == pictures_.size()) pictures_.emplace_back();
+    Picture& picture = pictures_[used_++];
+    picture.portal = &visible;
+    picture.chosen = chooseImages(method, images.side(visible.portal, visible.from_front),
+                                  glm::dvec3(camera.pose.position));
+  }
+  cost.portals_as_images = used_;
+  const bool mapped = method.image_kind == ImageKind::kTexture;
+  if (mapped) {
+    cost.uncovered_percent = 0;  // a texture has no holes
+  } else {
+    warpAll(camera, cost);
+    cost.warp_ms = watch.lapMs();
+  }
+  for (std::size_t i = 0; i < used_; ++i) {
+    (this->*(mapped ? &PortalPictures::drawTexture : &PortalPictures::drawWarped))(
+        pictures_[i], camera, renderer);
+  }
+  cost.composite_ms = watch.lapMs();
 }
 
 }  // namespace enfilade

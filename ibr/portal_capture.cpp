@@ -4,7 +4,7 @@
 #include <span>
 
 #include "ibr/convex_region.h"
-#include "ibr/ldi_builder.h"
+#include "ibr/portal_ldi.h"
 #include "portals/polygon.h"
 
 namespace enfilade {
@@ -45,18 +45,6 @@ std::vector<glm::ivec2> pixelsThrough(std::span<const glm::vec3> polygon,
   return spans;
 }
 
-/// Sets δ = 0 in the pixels of a capture that look past the portal by more than the margin.
-void maskBeyondMargin(DepthImage& image, const Portal& portal, float margin) {
-  const std::vector<glm::ivec2> spans =
-      pixelsThrough(grownPolygon(portal.polygon, portal.plane, margin), image.camera);
-  const auto width = static_cast<std::size_t>(image.camera.width);
-  for (std::size_t y = 0; y < spans.size(); ++y) {
-    float* const row = image.disparity.data() + y * width;
-    std::fill(row, row + spans[y].x, 0.0f);
-    std::fill(row + spans[y].y, row + width, 0.0f);
-  }
-}
-
 void doubtBesidePortal(CaptureSamples& capture, const Portal& portal) {
   const std::vector<glm::ivec2> through = pixelsThrough(portal.polygon, capture.camera);
   for (CaptureSample& s : capture.samples) {
@@ -68,25 +56,32 @@ void doubtBesidePortal(CaptureSamples& capture, const Portal& portal) {
 
 }  // namespace
 
+void maskBeyondMargin(DepthImage& image, const Portal& portal, float margin) {
+  const std::vector<glm::ivec2> spans =
+      pixelsThrough(grownPolygon(portal.polygon, portal.plane, margin), image.camera);
+  const auto width = static_cast<std::size_t>(image.camera.width);
+  for (std::size_t y = 0; y < spans.size(); ++y) {
+    float* const row = image.disparity.data() + y * width;
+    std::fill(row, row + spans[y].x, 0.0f);
+    std::fill(row + spans[y].y, row + width, 0.0f);
+  }
+}
+
+CaptureSamples samplesThroughPortal(DepthImage fine, const Portal& portal, float margin, int rays,
+                                    float threshold) {
+  maskBeyondMargin(fine, portal, margin);
+  CaptureSamples samples = resolveCapture(fine, rays, threshold);
+  doubtBesidePortal(samples, portal);
+  return samples;
+}
+
 Ldi buildLdi(const Portal& portal, bool from_front, float eye_y, const ImageParameters& parameters,
              const CaptureFunction& capture) {
-  const std::vector<glm::dvec3> viewpoints =
-      captureViewpoints(portal, from_front, eye_y, parameters);
-  if (viewpoints.empty()) {
-    return {};
+  PortalLdi ldi(portal, from_front, eye_y, parameters);
+  while (!ldi.complete()) {
+    ldi.captureNext(capture);
   }
-  const PlanarCamera central = portalCamera(portal, from_front, viewpoints.front(), parameters);
-  const float threshold = disparityThreshold(central, parameters.depth_threshold);
-  LdiBuilder builder(central, {parameters.depth_threshold, parameters.ldi_half_width});
-  for (const glm::dvec3& viewpoint : viewpoints) {
-    const PlanarCamera camera = portalCamera(portal, from_front, viewpoint, parameters);
-    DepthImage fine = capture(refined(camera, parameters.rays));
-    maskBeyondMargin(fine, portal, parameters.portal_margin);
-    CaptureSamples samples = resolveCapture(fine, parameters.rays, threshold);
-    doubtBesidePortal(samples, portal);
-    builder.insert(samples);
-  }
-  return builder.finish();
+  return ldi.finish();
 }
 
 Ldi bakeLdi(Renderer& renderer, const Portal& portal, bool from_front, float eye_y,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "ibr/capture_samples.h"
 #include "ibr/depth_image.h"
 #include "ibr/image_parameters.h"
 #include "ibr/ldi.h"
@@ -47,9 +48,15 @@ DepthImage captureThroughPortal(Renderer& renderer, const PlanarCamera& camera,
 /// What a planar camera with its image plane in a portal sees of what lies behind the portal.
 using CaptureFunction = std::function<DepthImage(const PlanarCamera& camera)>;
 
-/// The layered depth image of a portal's side from captures at captureViewpoints(), `rays` × `rays`
-/// pixels of a capture for one of the LDI's.  What a capture sees past the portal's edge, within
-/// the margin, gives way to what is seen through the portal.
+/// Sets δ = 0 in the pixels of a capture that look past the portal by more than the margin [m].
+void maskBeyondMargin(DepthImage& image, const Portal& portal, float margin);
+
+/// The samples of a capture of `rays` × `rays` pixels for one of the LDI's (see resolveCapture());
+/// what is seen past the portal's edge, within the margin [m], is doubted.
+CaptureSamples samplesThroughPortal(DepthImage fine, const Portal& portal, float margin, int rays,
+                                    float threshold);
+
+/// The layered depth image of a portal's side: PortalLdi with every capture.
 Ldi buildLdi(const Portal& portal, bool from_front, float eye_y, const ImageParameters& parameters,
              const CaptureFunction& capture);
 
