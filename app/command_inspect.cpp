@@ -25,16 +25,6 @@ struct InspectOptions {
   bool json = false;
 };
 
-std::size_t countImageSides(const House& house, const std::string& folder) {
-  std::size_t count = 0;
-  for (PortalId portal = 0; portal < house.graph.portals.size(); ++portal) {
-    for (const bool from_front : {true, false}) {
-      count += std::filesystem::exists(portalImageFolder(folder, portal, from_front) + "/ldi.bin");
-    }
-  }
-  return count;
-}
-
 /// Writes the pictures that --layers asks for.
 std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& house, bool quiet) {
   std::vector<SideLayers> sides = countLayers(house, options.input);
@@ -51,15 +41,15 @@ std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& h
 
 void inspectHouse(const InspectOptions& options, bool quiet) {
   const House house = readHouse(options.input);
-  const std::size_t sides = countImageSides(house, options.input);
+  const ImageCounts images = countImages(house, options.input);
   if (!options.plan.empty()) {
     writeFileAtomically(options.plan, floorPlanSvg(house));
     printNote(quiet, options.plan + ": the floor plan");
   }
   std::vector<SideLayers> layers;
   if (!options.layers.empty()) layers = drawLayers(options, house, quiet);
-  printResult(options.json ? houseJson(options.input, house, sides, layers)
-                           : houseText(options.input, house, sides) +
+  printResult(options.json ? houseJson(options.input, house, images, layers)
+                           : houseText(options.input, house, images) +
                                  (layers.empty() ? std::string() : layersText(layers)));
 }
 

@@ -25,6 +25,7 @@ namespace {
 struct PlayOptions {
   std::string house, tour, output;
   std::string methods = "geometry,culling,ldi";
+  std::string images = "baked";
   std::string size = "640x512";
   float fov_degrees = 0;  ///< 0: the path's own
   int threads = 0;
@@ -54,14 +55,43 @@ CameraPath pathFor(const PlayOptions& options, const House& house, bool quiet) {
   return path;
 }
 
-void requireImages(const PlaybackParameters& playback, const PortalImages& images,
-                   const std::string& house) {
-  for (const Method method : playback.methods) {
-    if (!infoOf(method).portal_images || images.count() > 0) continue;
-    throw Error(ErrorKind::kBadInput, house,
-                std::string("has no images for the method ") + infoOf(method).name +
-                    "; preprocess the model again without --no-images");
+ImageSource parseImageSource(const std::string& name) {
+  if (name == "baked") return ImageSource::kBaked;
+  if (name == "on-demand") return ImageSource::kOnDemand;
+  throw Error(ErrorKind::kUsage, "--images " + name, "no such source; there are: baked, on-demand");
+}
+
+const char* imagesName(ImageKind kind) {
+  switch (kind) {
+    case ImageKind::kTexture:
+      return "portal textures";
+    case ImageKind::kReference:
+      return "reference images";
+    case ImageKind::kLdi:
+      return "layered depth images";
   }
+  return "images";
+}
+
+void requireImages(const std::vector<Method>& methods, const PortalImages& images,
+                   const std::string& house) {
+  for (const Method method : methods) {
+    const MethodInfo& info = infoOf(method);
+    if (!info.portal_images || images.count(info.image_kind) > 0) continue;
+    throw Error(ErrorKind::kBadInput, house,
+                fmt::format("has no images for the method {}, which shows {}; preprocess the model "
+                            "again with --bake {}, or play with --images on-demand",
+                            info.name, imagesName(info.image_kind), imageKindNames({})));
+  }
+}
+
+/// The images that the methods show, if they are to be read.
+PortalImages loadImages(const PlayOptions& options, const House& house, ImageSource source) {
+  if (source == ImageSource::kOnDemand) return {};
+  const std::vector<Method>& methods = options.playback.methods;
+  PortalImages images(house, options.house, imageKindsOf(methods));
+  requireImages(methods, images, options.house);
+  return images;
 }
 
 /// `folder` as seen from the report, for the page's pictures.
@@ -102,10 +132,10 @@ void writeReport(const Report& report, StagedFolder& folder) {
 void runPlay(PlayOptions options, const CommandContext& context) {
   options.playback.methods = parseMethods(options.methods);
   const glm::ivec2 size = parseSize(options.size);
+  const ImageSource source = parseImageSource(options.images);
   const House house = readHouse(options.house);
   const CameraPath path = pathFor(options, house, context.quiet);
-  const PortalImages images(house, options.house);
-  requireImages(options.playback, images, options.house);
+  const PortalImages images = loadImages(options, house, source);
   StagedFolder folder(options.output, "frames.csv");
 
   std::optional<tbb::global_control> limit;
@@ -114,7 +144,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
                   static_cast<std::size_t>(options.threads));
   }
   const std::unique_ptr<GlContext> gl = createOsMesaContext(options.threads);
-  FramePainter painter(*gl, house, images, size.x, size.y, options.threads);
+  FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
   const Camera camera = walkingCamera(house, fov, size.x, size.y);
 
@@ -154,6 +184,13 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
                   "The path: our JSON, TUM, or a glTF whose camera moves; without it the house's "
                   "own tour")
       ->type_name("FILE");
+  command
+      .add_option("--images", options.images,
+                  "Where the portals' images come from: baked (files of the house), or on-demand "
+                  "(made while walking, at most one capture a frame; until its image is there a "
+                  "portal shows geometry; at most 256 MiB of images are kept a method)")
+      ->type_name("SOURCE")
+      ->capture_default_str();
   command.add_option("--size", options.size, "Size of a frame [pixels]")
       ->type_name("WxH")
       ->capture_default_str();
@@ -191,7 +228,8 @@ void addPlayCommand(CLI::App& program, CommandContext& context) {
   auto options = std::make_shared<PlayOptions>();
   CLI::App* command =
       addCommand(program, "play", "Play a walk by several methods and report what each frame took",
-                 "enfilade play house --methods geometry,raycast,culling,ldi --quality -o report",
+                 "enfilade play house --methods texture,warp,warp2,ldi,culling,geometry,raycast "
+                 "--quality -o report",
                  context.quiet);
   command->footer(command->get_footer() + methodsHelp());
   command->add_option("HOUSE", options->house, "A folder that 'enfilade preprocess' made")

@@ -17,6 +17,7 @@ struct PreprocessOptions {
   std::string model;
   std::string output;
   bool no_images = false;
+  std::string bake;
   PreprocessParameters parameters;
   std::string captures = capturePlanText(parameters.image.rings);
 };
@@ -25,18 +26,20 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   PreprocessParameters parameters = options.parameters;
   parameters.images = !options.no_images;
   parameters.image.rings = parseCapturePlan(options.captures);
+  parameters.image.bake = parseImageKinds(options.bake);
   ProgressPrinter progress(quiet);
   const PreprocessResult result =
       preprocessBuilding(options.model, options.output, parameters, progress.sink());
   double seconds = 0;
   for (const StageTime& stage : result.stages) seconds += stage.seconds;
   const CellGraph& graph = result.house.graph;
-  printResult(fmt::format(
-      "{}: {} cells, {} portals, {} storeys, {} triangles, {} images of portal sides ({:.1f} MB), "
-      "{:.1f} s\n",
-      options.output, graph.cells.size(), graph.portals.size(), graph.storeys.size(),
-      triangleCount(result.house.building), result.images,
-      static_cast<double>(result.image_bytes) / 1e6, seconds));
+  printResult(
+      fmt::format("{}: {} cells, {} portals, {} storeys, {} triangles, {} portal sides with images "
+                  "({:.1f} MB), "
+                  "{:.1f} s\n",
+                  options.output, graph.cells.size(), graph.portals.size(), graph.storeys.size(),
+                  triangleCount(result.house.building), result.images,
+                  static_cast<double>(result.image_bytes) / 1e6, seconds));
 }
 
 std::map<std::string, LdiMaking> ldiMakingNames() {
@@ -90,6 +93,14 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
   constexpr const char* kGroup = "Images at the portals";
   command.add_flag("--no-images", options.no_images, "Bake no images: for culling alone")
       ->group(kGroup);
+  options.bake = imageKindNames(options.parameters.image.bake);
+  command
+      .add_option("--bake", options.bake,
+                  "Which images, joined by commas: texture (portal textures), warp (reference "
+                  "images, for warp and warp2), ldi (layered depth images)")
+      ->type_name("KINDS")
+      ->capture_default_str()
+      ->group(kGroup);
   ImageParameters& image = options.parameters.image;
   addNumber(command, kGroup, "--image-size", image.image_size,
             "Rows of an image of a portal 2.1 m high, others in proportion [pixels]", "PIXELS", 16,
@@ -110,6 +121,10 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
       ->transform(CLI::CheckedTransformer(ldiMakingNames(), CLI::ignore_case).description(""))
       ->default_str("warp")
       ->group(kGroup);
+  addNumber(command, kGroup, "--textures-per-portal", image.textures,
+            "Portal textures a side, evenly along the semicircle", "N", 1, 180);
+  addNumber(command, kGroup, "--images-per-portal", image.references,
+            "Reference images a side, evenly along the semicircle", "N", 1, 180);
   addNumber(command, kGroup, "--switch-distance", image.switch_distance,
             "Nearer to a portal than this the geometry is drawn [m]", "M", 0.05, 100.0);
   addNumber(command, kGroup, "--eye-height", options.parameters.eye_height,

@@ -7,25 +7,39 @@
 namespace enfilade {
 
 FramePainter::FramePainter(GlContext& context, const House& house, const PortalImages& images,
-                           int width, int height, int threads)
+                           int width, int height, int threads, ImageSource source)
     : house_(house),
       objects_(house),
       renderer_(context, house.building),
-      pictures_(house, images, width, height),
+      baked_(images),
+      source_(source),
+      pictures_(house, width, height, threads),
       width_(width),
       height_(height),
-      threads_(threads) {}
+      threads_(threads) {
+  if (source == ImageSource::kBaked) return;
+  for (const MethodInfo& method : allMethods()) {
+    if (method.portal_images)
+      makers_.try_emplace(method.method, method, house, objects_, renderer_);
+  }
+}
 
-void FramePainter::prepare(Method method) {
-  if (method != Method::kRaycast || rays_) return;
+void FramePainter::buildRays() {
+  if (rays_) return;
   std::vector<std::uint8_t> hidden;
   for (const ObjectRole role : house_.object_roles) hidden.push_back(role == ObjectRole::kDoor);
   rays_ = std::make_unique<RayCaster>(house_.building, hidden, threads_);
 }
 
+void FramePainter::prepare(Method method) {
+  if (method == Method::kRaycast) buildRays();
+  const auto maker = makers_.find(method);
+  if (maker != makers_.end()) maker->second.forget();
+}
+
 FrameCost FramePainter::paint(Method method, const Camera& camera,
                               const std::optional<PortalSide>& as_geometry) {
-  prepare(method);
+  if (method == Method::kRaycast) buildRays();
   seen_.clear();
   FrameCost cost;
   const MethodInfo& info = infoOf(method);
@@ -33,7 +47,7 @@ FrameCost FramePainter::paint(Method method, const Camera& camera,
   if (method == Method::kRaycast) {
     paintRays(camera, cost);
   } else if (info.by_cells) {
-    paintCells(camera, info.portal_images, as_geometry, cost);
+    paintCells(camera, info, as_geometry, cost);
   } else {
     paintView(camera, cost);
   }
@@ -60,21 +74,47 @@ void FramePainter::paintRays(const Camera& camera, FrameCost& cost) {
   cost.draw_ms = watch.lapMs();
 }
 
-void FramePainter::paintCells(const Camera& camera, bool portal_images,
-                              const std::optional<PortalSide>& as_geometry, FrameCost& cost) {
-  Stopwatch watch;
-  const View view = camera.view();
+const PortalImages& FramePainter::imagesOf(const MethodInfo& method) const {
+  return source_ == ImageSource::kBaked ? baked_ : makers_.at(method.method).images();
+}
+
+VisibleSet FramePainter::cull(const View& view, const MethodInfo& method,
+                              const std::optional<PortalSide>& as_geometry) const {
   const CellId eye_cell = locate(house_.graph, house_.grid, view.eye).cell;
   ShowAsImage show_as_image;
-  if (portal_images) {
+  if (method.portal_images) {
+    const PortalImages& images = imagesOf(method);
     show_as_image = [&](const Portal&, PortalId id, bool from_front) {
       return as_geometry != PortalSide{id, from_front} &&
-             pictures_.showsImage(view.eye, id, from_front);
+             images.side(id, from_front).has(method.image_kind) &&
+             isBeyondSwitch(house_, view.eye, id, from_front);
     };
   }
-  const VisibleSet set = cullByPortals(house_.graph, view, eye_cell, show_as_image);
-  objects_.visible(set, in_view_);
+  return cullByPortals(house_.graph, view, eye_cell, show_as_image);
+}
+
+VisibleSet FramePainter::cullAndMake(const View& view, const MethodInfo& method,
+                                     const std::optional<PortalSide>& as_geometry,
+                                     FrameCost& cost) {
+  Stopwatch watch;
+  VisibleSet set = cull(view, method, as_geometry);
   cost.cull_ms = watch.lapMs();
+  const auto maker = makers_.find(method.method);
+  if (maker == makers_.end()) return set;
+  const bool made = maker->second.makeOne(set, view.eye);
+  cost.capture_ms = watch.lapMs();
+  if (made) set = cull(view, method, as_geometry);
+  *cost.cull_ms += watch.lapMs();
+  return set;
+}
+
+void FramePainter::paintCells(const Camera& camera, const MethodInfo& method,
+                              const std::optional<PortalSide>& as_geometry, FrameCost& cost) {
+  const View view = camera.view();
+  const VisibleSet set = cullAndMake(view, method, as_geometry, cost);
+  Stopwatch watch;
+  objects_.visible(set, in_view_);
+  *cost.cull_ms += watch.lapMs();
   cost.cells = set.cells.size();
   cost.portals = set.portals.size();
   for (const VisiblePortal& portal : set.portals) {
@@ -82,7 +122,9 @@ void FramePainter::paintCells(const Camera& camera, bool portal_images,
   }
   renderer_.begin(width_, height_);
   double draw_ms = watch.lapMs();
-  if (portal_images) pictures_.draw(set, camera, renderer_, cost);
+  if (method.portal_images) {
+    pictures_.draw(method, imagesOf(method), set, camera, renderer_, cost);
+  }
   watch.lapMs();
   cost.triangles = renderer_.draw(in_view_.objects, view).triangles;
   renderer_.finish();

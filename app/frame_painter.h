@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/frame_record.h"
+#include "app/image_maker.h"
 #include "app/portal_mask.h"
 #include "app/portal_pictures.h"
 #include "render/ray_caster.h"
@@ -12,16 +14,20 @@
 
 namespace enfilade {
 
+/// Where the portals' images come from.
+enum class ImageSource : std::uint8_t { kBaked, kOnDemand };
+
 /// Makes a frame of a walk by any method and tells what it cost.  The same pixels for the same
-/// pose, run after run.
+/// pose, run after run; on demand, for the same walk since prepare().
 class FramePainter {
  public:
-  /// `threads`: of the ray caster, 0: as many as the machine has.  All must outlive the painter.
-  /// Throws Error (kMachine).
+  /// `threads`: of the ray caster, 0: as many as the machine has.  `images`: the baked ones, not
+  /// used on demand.  All must outlive the painter.  Throws Error (kMachine).
   FramePainter(GlContext& context, const House& house, const PortalImages& images, int width,
-               int height, int threads);
+               int height, int threads, ImageSource source = ImageSource::kBaked);
 
-  /// Builds what `method` needs beforehand, so that its first frame does not pay for it.
+  /// Begins a walk by `method`: builds what it needs beforehand, so that its first frame does not
+  /// pay for it, and forgets the images that it made on demand.
   void prepare(Method method);
 
   /// Paints the frame that `camera` sees and waits until it is done.  The portal side `as_geometry`
@@ -47,13 +53,22 @@ class FramePainter {
  private:
   void paintView(const Camera& camera, FrameCost& cost);
   void paintRays(const Camera& camera, FrameCost& cost);
-  void paintCells(const Camera& camera, bool portal_images,
+  void paintCells(const Camera& camera, const MethodInfo& method,
                   const std::optional<PortalSide>& as_geometry, FrameCost& cost);
+  VisibleSet cull(const View& view, const MethodInfo& method,
+                  const std::optional<PortalSide>& as_geometry) const;
+  VisibleSet cullAndMake(const View& view, const MethodInfo& method,
+                         const std::optional<PortalSide>& as_geometry, FrameCost& cost);
+  void buildRays();
+  const PortalImages& imagesOf(const MethodInfo& method) const;
 
   const House& house_;
   ObjectIndex objects_;
   ObjectList in_view_;  // of the last frame
   Renderer renderer_;
+  const PortalImages& baked_;
+  std::map<Method, ImageMaker> makers_;  ///< on demand, one for each method that shows images
+  ImageSource source_;
   PortalPictures pictures_;
   std::unique_ptr<RayCaster> rays_;
   Image ray_picture_;

@@ -15,7 +15,7 @@ std::optional<double> number(const std::optional<std::size_t>& count) {
 using R = const FrameRecord&;
 using V = std::optional<double>;
 
-constexpr std::array<FrameColumn, 18> kColumns = {{
+constexpr std::array<FrameColumn, 19> kColumns = {{
     {"frametime_ms", "frame_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.frametime_ms; }},
     {"cull_ms", "cull_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.cull_ms; }},
     {"warp_ms", "warp_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.warp_ms; }},
@@ -41,6 +41,7 @@ constexpr std::array<FrameColumn, 18> kColumns = {{
     {"ssim_portals", "ssim_portals", 6, Tail::kLow,
      [](R r) -> V { return r.quality ? r.quality->ssim_portals : V(); }},
     {"flicker", "flicker", 5, Tail::kHigh, [](R r) -> V { return r.flicker; }},
+    {"capture_ms", "capture_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.capture_ms; }},
 }};
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace enfilade {
 
 /// What a frame took and what went into it.  Empty: the method has no such thing.
 struct FrameCost {
-  double frametime_ms = 0;        ///< from the pose to the last pixel, reading back not counted
-  std::optional<double> cull_ms;  ///< finding what can be seen
-  std::optional<double> warp_ms;  ///< warping images
+  double frametime_ms = 0;           ///< from the pose to the last pixel, reading back not counted
+  std::optional<double> cull_ms;     ///< finding what can be seen
+  std::optional<double> capture_ms;  ///< making an image on demand
+  std::optional<double> warp_ms;     ///< warping images
   std::optional<double> composite_ms;    ///< handing the warped pictures over to be drawn
   std::optional<double> draw_ms;         ///< drawing geometry and waiting for the last pixel
   std::optional<std::size_t> triangles;  ///< handed to OpenGL

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/ldi_layers.h"
+#include "app/portal_images.h"
 #include "portals/house.h"
 #include "scene/building.h"
 
@@ -37,10 +38,10 @@ std::string modelText(const std::string& file, const Building& building,
 std::string modelJson(const std::string& file, const Building& building,
                       const std::vector<std::string>& warnings);
 
-/// What `enfilade inspect` prints of a house.  `image_sides` counts the portal sides with an image.
-std::string houseText(const std::string& folder, const House& house, std::size_t image_sides);
+/// What `enfilade inspect` prints of a house and its images.
+std::string houseText(const std::string& folder, const House& house, const ImageCounts& images);
 /// With what is in the layers of its images, if that was asked for.
-std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides,
+std::string houseJson(const std::string& folder, const House& house, const ImageCounts& images,
                       const std::vector<SideLayers>& layers = {});
 
 }  // namespace enfilade

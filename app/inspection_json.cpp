@@ -125,24 +125,27 @@ std::string modelJson(const std::string& file, const Building& building,
                  {"problems", problems}});
 }
 
-std::string houseJson(const std::string& folder, const House& house, std::size_t image_sides,
+std::string houseJson(const std::string& folder, const House& house, const ImageCounts& images,
                       const std::vector<SideLayers>& layers) {
-  Json json{{"schema", 1},
-            {"kind", "house"},
-            {"folder", folder},
-            {"model", {{"name", house.info.model_name}, {"sha256", house.info.model_sha256}}},
-            {"tool_version", house.info.tool_version},
-            {"building", buildingJson(describeBuilding(house.building))},
-            {"storeys", storeysJson(house.graph)},
-            {"cells", cellsJson(house.graph)},
-            {"portals", portalsJson(house.graph)},
-            {"image_sides", image_sides},
-            {"switch_distance_m", tidy(house.switch_distance)},
-            {"eye_height_m", tidy(house.eye_height)},
-            {"parameters", house.info.parameters},
-            {"statistics", house.info.statistics},
-            {"log", house.info.log},
-            {"problems", houseProblems(house)}};
+  Json json{
+      {"schema", 1},
+      {"kind", "house"},
+      {"folder", folder},
+      {"model", {{"name", house.info.model_name}, {"sha256", house.info.model_sha256}}},
+      {"tool_version", house.info.tool_version},
+      {"building", buildingJson(describeBuilding(house.building))},
+      {"storeys", storeysJson(house.graph)},
+      {"cells", cellsJson(house.graph)},
+      {"portals", portalsJson(house.graph)},
+      {"image_sides", images.sides},
+      {"portal_images",
+       {{"textures", images.textures}, {"references", images.references}, {"ldis", images.ldis}}},
+      {"switch_distance_m", tidy(house.switch_distance)},
+      {"eye_height_m", tidy(house.eye_height)},
+      {"parameters", house.info.parameters},
+      {"statistics", house.info.statistics},
+      {"log", house.info.log},
+      {"problems", houseProblems(house)}};
   if (!layers.empty()) json["layers"] = layersJson(layers);
   return dumped(json);
 }

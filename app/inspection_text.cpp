@@ -126,14 +126,16 @@ std::string modelText(const std::string& file, const Building& building,
   return text + problemsText(problems) + hint(file, facts);
 }
 
-std::string houseText(const std::string& folder, const House& house, std::size_t image_sides) {
+std::string houseText(const std::string& folder, const House& house, const ImageCounts& images) {
   const CellGraph& graph = house.graph;
   std::string text = fmt::format("{}: a house, made from {} by enfilade {}\n", folder,
                                  house.info.model_name, house.info.tool_version);
   text += buildingText(describeBuilding(house.building));
   text += fmt::format("  cells      {}, the exterior among them\n", graph.cells.size());
-  text += fmt::format("  portals    {}, {} of their {} sides have an image\n", graph.portals.size(),
-                      image_sides, 2 * graph.portals.size());
+  text += fmt::format("  portals    {}, {} of their {} sides have images\n", graph.portals.size(),
+                      images.sides, 2 * graph.portals.size());
+  text += fmt::format("             {} textures, {} reference images, {} layered depth images\n",
+                      images.textures, images.references, images.ldis);
   text += fmt::format("  distance   images beyond {:.2f} m, eye {:.2f} m above the floor\n",
                       house.switch_distance, house.eye_height);
   text += "storeys\n";

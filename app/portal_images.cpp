@@ -1,26 +1,150 @@
 #include "app/portal_images.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "ibr/ldi_file.h"
+#include "ibr/portal_side.h"
+#include "scene/error.h"
 
 namespace enfilade {
 
-PortalImages::PortalImages(const House& house, const std::string& folder) {
-  sides_.resize(2 * house.graph.portals.size());
-  for (std::size_t side = 0; side < sides_.size(); ++side) {
-    const std::string file =
-        portalImageFolder(folder, static_cast<PortalId>(side / 2), side % 2 == 0) + "/ldi.bin";
-    if (!std::filesystem::exists(file)) continue;
-    sides_[side] = readLdi(file);
-    ++count_;
+namespace {
+
+bool exists(const std::string& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+std::size_t sideIndex(PortalId portal, bool from_front) {
+  return 2 * static_cast<std::size_t>(portal) + (from_front ? 0 : 1);
+}
+
+/// Reads image i into images[i] by read(file); all are there, or none.
+template <class Images, class Read>
+void readFan(const std::string& folder, std::string (*file_name)(std::size_t), Images& images,
+             Read&& read) {
+  std::size_t there = 0;
+  for (std::size_t i = 0; i < images.size(); ++i) there += exists(folder + "/" + file_name(i));
+  if (there == 0) return;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::string file = folder + "/" + file_name(i);
+    if (!exists(file)) {
+      throw Error(ErrorKind::kBadInput, file,
+                  fmt::format("is missing: {} of the portal side's {} are there; preprocess the "
+                              "model again",
+                              there, images.size()));
+    }
+    images[i] = read(file);
   }
 }
 
-const Ldi* PortalImages::find(PortalId portal, bool from_front) const noexcept {
-  const std::size_t side = 2 * static_cast<std::size_t>(portal) + (from_front ? 0 : 1);
-  if (side >= sides_.size() || !sides_[side]) return nullptr;
-  return &*sides_[side];
+template <class Visit>
+void forEachSide(const House& house, Visit&& visit) {
+  for (PortalId portal = 0; portal < house.graph.portals.size(); ++portal) {
+    for (const bool from_front : {true, false}) visit(portal, from_front);
+  }
+}
+
+}  // namespace
+
+bool SideImages::has(ImageKind kind) const noexcept { return count(kind) > 0; }
+
+std::size_t SideImages::count(ImageKind kind) const noexcept {
+  std::size_t found = 0;
+  switch (kind) {
+    case ImageKind::kTexture:
+      for (std::size_t i = 0; i < textures.size(); ++i) found += hasTexture(i);
+      return found;
+    case ImageKind::kReference:
+      for (std::size_t i = 0; i < references.size(); ++i) found += hasReference(i);
+      return found;
+    case ImageKind::kLdi:
+      return ldi.samples.empty() ? 0 : 1;
+  }
+  return found;
+}
+
+std::size_t SideImages::bytes() const noexcept {
+  const auto bytesOf = [](const Ldi& image) {
+    return image.samples.size() * sizeof(LdiSample) + image.tiles.size() * sizeof(LdiTile);
+  };
+  std::size_t sum = bytesOf(ldi);
+  for (const Image& texture : textures) sum += texture.rgba.size();
+  for (const Ldi& reference : references) sum += bytesOf(reference);
+  return sum;
+}
+
+PortalImages::PortalImages(const House& house) {
+  const ImageParameters parameters = imageParametersFrom(house.info.parameters, "house.json");
+  sides_.resize(2 * house.graph.portals.size());
+  forEachSide(house, [&](PortalId id, bool from_front) {
+    const Portal& portal = house.graph.portals[id];
+    if (!getsImage(portal, from_front)) return;
+    const float eye_y = eyeLevelBefore(house.graph, portal, from_front, house.eye_height);
+    const auto fan = [&](int count) {
+      return ViewpointFan(portal, from_front, eye_y, parameters, count);
+    };
+    SideImages& images = side(id, from_front);
+    images.texture_fan = fan(parameters.textures);
+    images.reference_fan = fan(parameters.references);
+    images.textures.resize(images.texture_fan.size());
+    images.references.resize(images.reference_fan.size());
+  });
+}
+
+PortalImages::PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds)
+    : PortalImages(house) {
+  forEachSide(house, [&](PortalId id, bool from_front) {
+    const std::string images = portalImageFolder(folder, id, from_front);
+    SideImages& there = side(id, from_front);
+    if (kinds.textures) readFan(images, textureFileName, there.textures, readImage);
+    if (kinds.references) readFan(images, referenceFileName, there.references, readLdi);
+    const std::string ldi = images + "/" + ldiFileName();
+    if (kinds.ldis && exists(ldi)) there.ldi = readLdi(ldi);
+  });
+}
+
+const SideImages& PortalImages::side(PortalId portal, bool from_front) const noexcept {
+  static const SideImages none;
+  const std::size_t index = sideIndex(portal, from_front);
+  return index < sides_.size() ? sides_[index] : none;
+}
+
+SideImages& PortalImages::side(PortalId portal, bool from_front) noexcept {
+  return sides_[sideIndex(portal, from_front)];
+}
+
+std::size_t PortalImages::count(ImageKind kind) const noexcept {
+  std::size_t sum = 0;
+  for (const SideImages& images : sides_) sum += images.count(kind);
+  return sum;
+}
+
+std::size_t PortalImages::count() const noexcept {
+  return count(ImageKind::kTexture) + count(ImageKind::kReference) + count(ImageKind::kLdi);
+}
+
+ImageCounts countImages(const House& house, const std::string& folder) {
+  ImageCounts counts;
+  forEachSide(house, [&](PortalId portal, bool from_front) {
+    const std::string images = portalImageFolder(folder, portal, from_front) + "/";
+    const auto consecutive = [&](std::string (*file_name)(std::size_t)) {
+      std::size_t count = 0;
+      while (exists(images + file_name(count))) ++count;
+      return count;
+    };
+    const std::size_t textures = consecutive(textureFileName);
+    const std::size_t references = consecutive(referenceFileName);
+    const std::size_t ldis = exists(images + ldiFileName());
+    counts.textures += textures;
+    counts.references += references;
+    counts.ldis += ldis;
+    counts.sides += textures + references + ldis > 0;
+  });
+  return counts;
 }
 
 }  // namespace enfilade

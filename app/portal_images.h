@@ -1,28 +1,60 @@
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
+#include "ibr/image_kinds.h"
 #include "ibr/ldi.h"
+#include "ibr/viewpoint_fan.h"
 #include "portals/house.h"
+#include "scene/image.h"
 
 namespace enfilade {
 
-/// The layered depth images of a house in memory: one for each portal side that has one.
+/// The images of one side of a portal: what a viewer on that side sees through it.
+struct SideImages {
+  ViewpointFan texture_fan;     ///< where the textures are taken from
+  ViewpointFan reference_fan;   ///< where the reference images are taken from
+  std::vector<Image> textures;  ///< one for each viewpoint; empty where there is none
+  std::vector<Ldi> references;  ///< likewise
+  Ldi ldi;                      ///< empty if there is none
+
+  bool hasTexture(std::size_t i) const noexcept { return !textures[i].rgba.empty(); }
+  bool hasReference(std::size_t i) const noexcept { return !references[i].samples.empty(); }
+  bool has(ImageKind kind) const noexcept;  ///< any image of the kind
+  std::size_t count(ImageKind kind) const noexcept;
+  std::size_t bytes() const noexcept;  ///< that the images take in memory
+};
+
+/// The images of a house in memory, two sides a portal.
 class PortalImages {
  public:
   PortalImages() = default;
-  /// Reads what stands under `folder`.  Throws Error (kBadInput) for an image that cannot be read.
-  PortalImages(const House& house, const std::string& folder);
+  /// The viewpoints of every side that gets images, and no image yet.  Throws Error (kBadInput) for
+  /// parameters in the house that cannot be.
+  explicit PortalImages(const House& house);
+  /// Reads the images of `kinds` that stand under `folder`.  Throws Error (kBadInput) for an image
+  /// that cannot be read or is missing while others of its side are there.
+  PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds = {});
 
-  /// What a viewer on that side sees through the portal; null: there is no image.
-  const Ldi* find(PortalId portal, bool from_front) const noexcept;
-  std::size_t count() const noexcept { return count_; }
+  /// A side without images if there is none such.
+  const SideImages& side(PortalId portal, bool from_front) const noexcept;
+  /// The portal must be one of the house's.
+  SideImages& side(PortalId portal, bool from_front) noexcept;
+
+  std::size_t count(ImageKind kind) const noexcept;  ///< images of the kind
+  std::size_t count() const noexcept;                ///< all images
 
  private:
-  std::vector<std::optional<Ldi>> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
-  std::size_t count_ = 0;
+  std::vector<SideImages> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
 };
+
+/// How many images of each kind stand in the folder of a house, unread.
+struct ImageCounts {
+  std::size_t sides = 0;  ///< portal sides with any
+  std::size_t textures = 0, references = 0, ldis = 0;
+};
+ImageCounts countImages(const House& house, const std::string& folder);
 
 }  // namespace enfilade

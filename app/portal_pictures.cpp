@@ -1,26 +1,29 @@
 #include "app/portal_pictures.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/stopwatch.h"
+#include "ibr/convex_region.h"
+#include "ibr/portal_texture.h"
+#include "ibr/warp_scratch.h"
 #include "portals/polygon.h"
 
 namespace enfilade {
 
 namespace {
 
+constexpr std::uint64_t kMostViewpoints =
+    256;  // of a side, so that textures have keys of their own
+
 /// NDC to pixels, row 0 on top.
-std::vector<glm::vec2> toPixels(const std::vector<glm::vec2>& corners, const Image& frame) {
-  std::vector<glm::vec2> pixels;
-  pixels.reserve(corners.size());
+void toPixels(const std::vector<glm::vec2>& corners, const Image& frame,
+              std::vector<glm::vec2>& pixels) {
+  pixels.clear();
   for (const glm::vec2& c : corners) {
     pixels.emplace_back(0.5f * (1.0f + c.x) * static_cast<float>(frame.width),
                         0.5f * (1.0f - c.y) * static_cast<float>(frame.height));
   }
-  return pixels;
 }
 
 /// x0, y0, x1, y1 of the pixels that `polygon` touches, grown to hold those of `box`.
@@ -56,72 +59,145 @@ ScreenPolygon screenPolygonOf(const Portal& portal) {
   return {grownPolygon(portal.polygon, portal.plane, kPortalMargin)};
 }
 
-PortalPictures::PortalPictures(const House& house, const PortalImages& images, int width,
-                               int height)
-    : house_(house), images_(images), width_(width), height_(height) {}
-
-bool PortalPictures::showsImage(const glm::vec3& eye, PortalId id, bool from_front) const {
-  if (!images_.find(id, from_front)) return false;
-  const Portal& portal = house_.graph.portals[id];
-  const float ahead = portal.plane.signedDistance(eye);
-  return (from_front ? ahead > 0 : ahead < 0) &&
-         distanceToPolygon(portal.polygon, portal.plane, eye) > house_.switch_distance;
+PortalPictures::PortalPictures(const House& house, int width, int height, int threads)
+    : house_(house),
+      texture_margin_(imageParametersFrom(house.info.parameters, "house.json").portal_margin),
+      width_(width),
+      height_(height),
+      team_(threads),
+      spans_(static_cast<std::size_t>(height)),
+      scratch_(std::make_shared<WarpScratch>()) {
+  setWarping({}, Holes::kNothing);
 }
 
-void PortalPictures::warp(const PlanarCamera& desired, Picture& picture) const {
+void PortalPictures::setWarping(const WarpOptions& options, Holes holes) {
+  warping_ = options;
+  warping_.team = &team_;
+  holes_ = holes;
+  before_ = {};
+}
+
+void PortalPictures::begin(Picture& picture) const {
   Image& color = picture.buffer.color;
   if (color.rgba.empty()) picture.buffer.resize(width_, height_);
-  const Ldi& ldi = *images_.find(picture.portal->portal, picture.portal->from_front);
-  std::vector<std::vector<glm::vec2>> regions;
   picture.box = {width_, height_, 0, 0};
-  for (const ScreenRegion& region : picture.portal->regions) {
-    regions.push_back(toPixels(region.corners, color));
-    picture.box = grownBy(picture.box, regions.back(), color);
+  picture.regions.resize(picture.portal->regions.size());
+  for (std::size_t i = 0; i < picture.regions.size(); ++i) {
+    toPixels(picture.portal->regions[i].corners, color, picture.regions[i]);
+    picture.box = grownBy(picture.box, picture.regions[i], color);
   }
   clear(color, picture.box);
-  picture.counts = {};
-  for (const auto& region : regions) {
-    const WarpCounts counts = warpLdi(ldi, desired, region, picture.buffer);
-    picture.counts.samples += counts.samples;
-    picture.counts.samples_clipped += counts.samples_clipped;
-    picture.counts.pixels_uncovered += counts.pixels_uncovered;
-  }
 }
 
-void PortalPictures::draw(const VisibleSet& set, const Camera& camera, Renderer& renderer,
+/// Warps region `round` of every picture that has as many: regions of one portal may overlap, and
+/// are not warped at once.
+WarpCounts PortalPictures::warpRound(const PlanarCamera& desired, std::size_t round) {
+  jobs_.clear();
+  for (std::size_t i = 0; i < used_; ++i) {
+    Picture& picture = pictures_[i];
+    if (round >= picture.regions.size()) continue;
+    const std::span images(picture.chosen.warped.data(), picture.chosen.warped_count);
+    jobs_.push_back({images, picture.regions[round], &picture.buffer, {}});
+  }
+  warpJobs(jobs_, desired, warping_);
+  WarpCounts sum;
+  for (const WarpJob& job : jobs_) {
+    sum.samples += job.counts.samples;
+    sum.samples_clipped += job.counts.samples_clipped;
+    sum.pixels_uncovered += job.counts.pixels_uncovered;
+  }
+  return sum;
+}
+
+void PortalPictures::warpAll(const Camera& camera, FrameCost& cost) {
+  const PlanarCamera desired = planarCamera(camera, width_, height_);
+  std::size_t rounds = 0;
+  for (std::size_t i = 0; i < used_; ++i) {
+    begin(pictures_[i]);
+    rounds = std::max(rounds, pictures_[i].regions.size());
+  }
+  WarpCounts sum;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const WarpCounts counts = warpRound(desired, round);
+    sum.samples += counts.samples;
+    sum.samples_clipped += counts.samples_clipped;
+    sum.pixels_uncovered += counts.pixels_uncovered;
+  }
+  cost.samples = sum.samples;
+  cost.samples_clipped = sum.samples_clipped;
+  cost.uncovered_percent =
+      100.0 * static_cast<double>(sum.pixels_uncovered) / (static_cast<double>(width_) * height_);
+  if (holes_ != Holes::kNothing) fillHoles();
+}
+
+void PortalPictures::fillHoles() {
+  Image now;
+  if (holes_ == Holes::kPersist) {
+    now.width = width_;
+    now.height = height_;
+    now.rgba.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
+    if (before_.rgba.empty()) before_ = now;
+  }
+  for (std::size_t i = 0; i < used_; ++i) {
+    Image& color = pictures_[i].buffer.color;
+    for (const std::vector<glm::vec2>& region : pictures_[i].regions) {
+      const RowRange rows = fillConvexPolygon(region, width_, height_, spans_);
+      if (holes_ == Holes::kInpaint) {
+        filler_.inpaint(spans_, rows.top, rows.bottom, color);
+      } else {
+        HoleFiller::persist(before_, spans_, rows.top, rows.bottom, color);
+        HoleFiller::persist(color, spans_, rows.top, rows.bottom, now);
+      }
+    }
+  }
+  if (holes_ == Holes::kPersist) before_ = std::move(now);
+}
+
+void PortalPictures::drawWarped(const Picture& picture, const Camera& camera,
+                                Renderer& renderer) const {
+  const ScreenPolygon polygon = screenPolygonOf(house_.graph.portals[picture.portal->portal]);
+  renderer.drawScreenPolygons({&polygon, 1}, picture.buffer.color, picture.box,
+                              camera.clipFromWorld());
+}
+
+void PortalPictures::drawTexture(const Picture& picture, const Camera& camera,
+                                 Renderer& renderer) const {
+  const auto [id, from_front] = std::pair(picture.portal->portal, picture.portal->from_front);
+  const Portal& portal = house_.graph.portals[id];
+  const std::vector<glm::vec3> polygon = screenPolygonOf(portal).polygon;
+  const std::uint64_t key = 1 + kMostViewpoints * (2 * std::uint64_t{id} + (from_front ? 0 : 1)) +
+                            picture.chosen.texture_index;
+  renderer.drawTexturedPolygon(polygon,
+                               textureCoordinates(portal, from_front, texture_margin_, polygon),
+                               *picture.chosen.texture, camera.clipFromWorld(), key);
+}
+
+void PortalPictures::draw(const MethodInfo& method, const PortalImages& images,
+                          const VisibleSet& set, const Camera& camera, Renderer& renderer,
                           FrameCost& cost) {
   Stopwatch watch;
   used_ = 0;
   for (const VisiblePortal& visible : set.portals) {
     if (!visible.as_image) continue;
-    if (used_ == pictures_.size()) pictures_.emplace_back();
-    pictures_[used_++].portal = &visible;
-  }
-  const PlanarCamera desired = planarCamera(camera, width_, height_);
-  tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t i) { warp(desired, pictures_[i]); });
-  cost.warp_ms = watch.lapMs();
-  for (std::size_t i = 0; i < used_; ++i) {
-    const ScreenPolygon polygon =
-        screenPolygonOf(house_.graph.portals[pictures_[i].portal->portal]);
-    renderer.drawScreenPolygons({&polygon, 1}, pictures_[i].buffer.color, pictures_[i].box,
-                                camera.clipFromWorld());
-  }
-  cost.composite_ms = watch.lapMs();
-  addCounts(cost);
-}
-
-void PortalPictures::addCounts(FrameCost& cost) const {
-  WarpCounts sum;
-  for (std::size_t i = 0; i < used_; ++i) {
-    sum.samples += pictures_[i].counts.samples;
-    sum.samples_clipped += pictures_[i].counts.samples_clipped;
-    sum.pixels_uncovered += pictures_[i].counts.pixels_uncovered;
+    if (used_ == pictures_.size()) pictures_.emplace_back(scratch_);
+    Picture& picture = pictures_[used_++];
+    picture.portal = &visible;
+    picture.chosen = chooseImages(method, images.side(visible.portal, visible.from_front),
+                                  glm::dvec3(camera.pose.position));
   }
   cost.portals_as_images = used_;
-  cost.samples = sum.samples;
-  cost.samples_clipped = sum.samples_clipped;
-  cost.uncovered_percent =
-      100.0 * static_cast<double>(sum.pixels_uncovered) / (static_cast<double>(width_) * height_);
+  const bool mapped = method.image_kind == ImageKind::kTexture;
+  if (mapped) {
+    cost.uncovered_percent = 0;  // a texture has no holes
+  } else {
+    warpAll(camera, cost);
+    cost.warp_ms = watch.lapMs();
+  }
+  for (std::size_t i = 0; i < used_; ++i) {
+    (this->*(mapped ? &PortalPictures::drawTexture : &PortalPictures::drawWarped))(
+        pictures_[i], camera, renderer);
+  }
+  cost.composite_ms = watch.lapMs();
 }
 
 }  // namespace enfilade

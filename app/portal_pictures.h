@@ -1,11 +1,15 @@
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <vector>
 
 #include "app/frame_record.h"
-#include "app/portal_images.h"
+#include "app/image_choice.h"
+#include "ibr/hole_filling.h"
 #include "ibr/warp.h"
 #include "render/renderer.h"
+#include "render/thread_team.h"
 #include "visibility/portal_culling.h"
 
 namespace enfilade {
@@ -14,39 +18,54 @@ namespace enfilade {
 /// jambs stand before what is too much.
 ScreenPolygon screenPolygonOf(const Portal& portal);
 
-/// The choice "geometry or image" for each portal, and the images' way into the frame.
-/// A portal side shows its image when it has one, the eye is on that side, and farther from the
-/// portal than the house's switch distance.
+/// The way of the portals' images into the frame: warped, or mapped on the portal.
 /// Source: Rafferty, Aliaga, Popescu & Lastra 1998, sec. 3 and 4.
 class PortalPictures {
  public:
-  /// Both must outlive it.
-  PortalPictures(const House& house, const PortalImages& images, int width, int height);
+  /// `house` must outlive it.
+  /// `threads`: that warp, 0: as many as the machine has.
+  PortalPictures(const House& house, int width, int height, int threads);
 
-  /// Whether the portal shows its image to `eye`.
-  bool showsImage(const glm::vec3& eye, PortalId portal, bool from_front) const;
+  /// How images are warped from now on; its team is the pictures' own.
+  void setWarping(const WarpOptions& options, Holes holes);
 
-  /// Warps the image of every portal of `set` that is shown as one to `camera` and has `renderer`
-  /// draw it in the portal.  Fills in the times of both and what was warped in `cost`.  The same
-  /// pixels for any number of threads.
-  void draw(const VisibleSet& set, const Camera& camera, Renderer& renderer, FrameCost& cost);
+  /// Warps what `method` shows of `images` in every portal of `set` that is shown as an image to
+  /// `camera`, and has `renderer` draw it in the portal.  Fills in the times of both and what was
+  /// warped in `cost`.  The same pixels for any number of threads.
+  void draw(const MethodInfo& method, const PortalImages& images, const VisibleSet& set,
+            const Camera& camera, Renderer& renderer, FrameCost& cost);
 
  private:
   /// One portal's picture of the frame: it has a buffer of its own, so that portals are warped at
   /// once, and two whose regions overlap on screen do not meet; depth decides between them.
   struct Picture {
+    explicit Picture(const std::shared_ptr<WarpScratch>& scratch) : buffer(scratch) {}
+
     const VisiblePortal* portal = nullptr;
+    ChosenImages chosen;
     glm::ivec4 box{0};  ///< x0, y0, x1, y1 of the pixels that may be written
-    WarpCounts counts;
+    std::vector<std::vector<glm::vec2>> regions;  ///< [pixels]
     WarpBuffer buffer;
   };
-  void warp(const PlanarCamera& desired, Picture& picture) const;
-  void addCounts(FrameCost& cost) const;
+  void begin(Picture& picture) const;
+  WarpCounts warpRound(const PlanarCamera& desired, std::size_t round);
+  void fillHoles();
+  void warpAll(const Camera& camera, FrameCost& cost);
+  void drawWarped(const Picture& picture, const Camera& camera, Renderer& renderer) const;
+  void drawTexture(const Picture& picture, const Camera& camera, Renderer& renderer) const;
 
   const House& house_;
-  const PortalImages& images_;
+  float texture_margin_;  ///< [m] beyond the portals' rectangles
   int width_, height_;
-  std::vector<Picture> pictures_;  ///< kept between frames; the first `used_` are this frame's
+  ThreadTeam team_;
+  WarpOptions warping_;
+  Holes holes_ = Holes::kNothing;
+  HoleFiller filler_;
+  Image before_;  ///< the warped images of the frame before, if holes persist
+  std::vector<glm::ivec2> spans_;
+  std::vector<WarpJob> jobs_;
+  std::shared_ptr<WarpScratch> scratch_;
+  std::deque<Picture> pictures_;  ///< kept between frames; the first `used_` are this frame's
   std::size_t used_ = 0;
 };
 

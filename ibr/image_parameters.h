@@ -1,6 +1,10 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
+
+#include "ibr/image_kinds.h"
 
 namespace enfilade {
 
@@ -22,6 +26,8 @@ struct ImageParameters {
   static constexpr double kDoorHeight = 2.1;   ///< [m] of the portal that `image_size` is meant for
   static constexpr double kMostPixels = 4096;  ///< across or down a capture
 
+  /// Which kinds are baked.  Textures and reference images take more of the disk than the LDIs.
+  ImageKinds bake = {false, false, true};
   int image_size = 384;  ///< [pixels] [16…4096] rows of a capture of a portal 2.1 m high; others in
                          ///< proportion, since all switch to geometry at one distance
   std::vector<CaptureRing> rings = {  // the first is the main one
@@ -30,6 +36,8 @@ struct ImageParameters {
       {5, 60.0f, 0.3f}};              ///< what hides above sills and shelves, and the sky
   LdiMaking ldi = LdiMaking::kWarp;
   int rays = 2;                  ///< [1…4] rays a pixel of a capture, across and down
+  int textures = 13;             ///< [1…180] portal textures a side, evenly along the semicircle
+  int references = 6;            ///< [1…180] reference images a side, likewise
   float switch_distance = 1.5f;  ///< [m] [> 0] radius of the semicircle
   float portal_margin = 0.01f;   ///< [m] [≥ 0] captures look this far beyond the portal's edge,
                                  ///< since culling takes a portal for that much larger
@@ -38,5 +46,14 @@ struct ImageParameters {
   float depth_threshold =
       0.5f;  ///< [pixels] samples whose disparities differ by less show one surface
 };
+
+/// The parameters as names with units and values, as a house records them.  A number is written so
+/// that it is read as the same number again.
+std::map<std::string, std::string> imageParameterTexts(const ImageParameters& parameters);
+
+/// The parameters that a house records; the default for what it does not.  `file` names the house
+/// in errors.  Throws Error (kBadInput) for a value that is no number or beyond its limits.
+ImageParameters imageParametersFrom(const std::map<std::string, std::string>& texts,
+                                    const std::string& file);
 
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "ibr/capture_samples.h"
 #include "ibr/depth_image.h"
 #include "ibr/image_parameters.h"
 #include "ibr/ldi.h"
@@ -41,16 +42,23 @@ PlanarCamera portalCamera(const Portal& portal, bool from_front, const glm::dvec
                           const ImageParameters& parameters, double widen = 1.0);
 
 /// What is seen through a portal from a viewpoint: colour and disparity.  Draws only what lies
-/// behind the portal's plane.  Throws Error (kMachine) when the picture is too large.
+/// behind the portal's plane.  Textures are as smooth as in a picture in which `rays` × `rays`
+/// pixels are one.  Throws Error (kMachine) when the picture is too large.
 DepthImage captureThroughPortal(Renderer& renderer, const PlanarCamera& camera,
-                                const ObjectsInView& objects, double far_depth);
+                                const ObjectsInView& objects, double far_depth, int rays = 1);
 
 /// What a planar camera with its image plane in a portal sees of what lies behind the portal.
 using CaptureFunction = std::function<DepthImage(const PlanarCamera& camera)>;
 
-/// The layered depth image of a portal's side from captures at captureViewpoints(), `rays` × `rays`
-/// pixels of a capture for one of the LDI's.  What a capture sees past the portal's edge, within
-/// the margin, gives way to what is seen through the portal.
+/// Sets δ = 0 in the pixels of a capture that look past the portal by more than the margin [m].
+void maskBeyondMargin(DepthImage& image, const Portal& portal, float margin);
+
+/// The samples of a capture of `rays` × `rays` pixels for one of the LDI's (see resolveCapture());
+/// what is seen past the portal's edge, within the margin [m], is doubted.
+CaptureSamples samplesThroughPortal(DepthImage fine, const Portal& portal, float margin, int rays,
+                                    float threshold);
+
+/// The layered depth image of a portal's side: PortalLdi with every capture.
 Ldi buildLdi(const Portal& portal, bool from_front, float eye_y, const ImageParameters& parameters,
              const CaptureFunction& capture);
 

@@ -1,6 +1,5 @@
 #include "preprocess/bake_images.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <numeric>
@@ -8,7 +7,9 @@
 
 #include "ibr/ldi_file.h"
 #include "ibr/portal_capture.h"
+#include "ibr/portal_side.h"
 #include "ibr/raycast_ldi.h"
+#include "preprocess/bake_views.h"
 #include "preprocess/work_crew.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
@@ -17,24 +18,6 @@
 #include "visibility/portal_culling.h"
 
 namespace enfilade {
-
-float eyeLevelBefore(const CellGraph& graph, const Portal& portal, bool from_front,
-                     float eye_height) {
-  float low = portal.polygon[0].y;
-  float high = low;
-  for (const glm::vec3& corner : portal.polygon) {
-    low = std::min(low, corner.y);
-    high = std::max(high, corner.y);
-  }
-  const Cell& cell = graph.cells[from_front ? portal.front : portal.back];
-  float floor = graph.storeys[static_cast<std::size_t>(cell.storey)].floor_y;
-  if (portal.kind != PortalKind::kWindow) floor = low;  // one stands in a doorway's own floor
-  return std::clamp(floor + eye_height, low, high);
-}
-
-bool getsImage(const Portal& portal, bool from_front) {
-  return portal.active && (portal.two_way || from_front) && canShowImages(portal);
-}
 
 namespace {
 
@@ -54,12 +37,6 @@ std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
   return sides;
 }
 
-// Farther than any corner of the building is from any viewpoint before a portal.
-double farDepth(const House& house, const ImageParameters& parameters) {
-  return 1.05 * static_cast<double>(glm::length(worldBounds(house.building).size())) +
-         2.0 * static_cast<double>(parameters.switch_distance);
-}
-
 /// Doors stand open in the images.
 std::vector<std::uint8_t> doorsOf(const House& house) {
   std::vector<std::uint8_t> doors;
@@ -74,7 +51,7 @@ struct Baking {
         parameters(the_parameters),
         folder(to),
         index(house),
-        far_depth(farDepth(house, parameters)) {
+        far_depth(farDepth(house.building, parameters)) {
     if (parameters.ldi == LdiMaking::kRayCast) {
       caster = std::make_unique<RayCaster>(house.building, doorsOf(house), 1);
     }
@@ -100,7 +77,9 @@ class SideBaker {
   std::uint64_t bake(const PortalSide& side) {
     const std::string folder = portalImageFolder(baking_.folder, side.portal, side.from_front);
     createFolders(folder);
-    return bakeLdiFile(side, folder + "/ldi.bin");
+    const std::uint64_t bytes =
+        baking_.parameters.bake.ldis ? bakeLdiFile(side, folder + "/" + ldiFileName()) : 0;
+    return bytes + bakeSideViews(side, folder);
   }
 
  private:
@@ -109,17 +88,36 @@ class SideBaker {
     return std::filesystem::file_size(file);
   }
 
-  Ldi makeLdi(const PortalSide& side) {
-    const auto& [house, parameters, folder, index, far_depth, caster] = baking_;
-    const Portal& portal = house.graph.portals[side.portal];
-    const ObjectsInView objects = [&](const View& view) {
+  ObjectsInView objectsBehind(const PortalSide& side) const {
+    return [this, side](const View& view) {
       return baking_.index.visible(
           cullBehindPortal(baking_.house.graph, view, side.portal, side.from_front));
     };
-    const float eye_y = eyeLevelBefore(house.graph, portal, side.from_front, house.eye_height);
-    return caster
-               ? raycastLdi(*caster, portal, side.from_front, eye_y, parameters, objects, far_depth)
-               : bakeLdi(renderer_, portal, side.from_front, eye_y, parameters, objects, far_depth);
+  }
+
+  float eyeLevel(const PortalSide& side) const {
+    const CellGraph& graph = baking_.house.graph;
+    return eyeLevelBefore(graph, graph.portals[side.portal], side.from_front,
+                          baking_.house.eye_height);
+  }
+
+  Ldi makeLdi(const PortalSide& side) {
+    const auto& [house, parameters, folder, index, far_depth, caster] = baking_;
+    const Portal& portal = house.graph.portals[side.portal];
+    const ObjectsInView objects = objectsBehind(side);
+    return caster ? raycastLdi(*caster, portal, side.from_front, eyeLevel(side), parameters,
+                               objects, far_depth)
+                  : bakeLdi(renderer_, portal, side.from_front, eyeLevel(side), parameters, objects,
+                            far_depth);
+  }
+
+  std::uint64_t bakeSideViews(const PortalSide& side, const std::string& folder) {
+    const ObjectsInView objects = objectsBehind(side);
+    const CaptureFunction capture = [&](const PlanarCamera& camera) {
+      return captureThroughPortal(renderer_, camera, objects, baking_.far_depth);
+    };
+    return bakeViews(baking_.house.graph.portals[side.portal], side.from_front, eyeLevel(side),
+                     baking_.parameters, capture, folder);
   }
 
   const Baking& baking_;

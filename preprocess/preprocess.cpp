@@ -68,25 +68,21 @@ std::vector<ObjectRole> rolesOf(const Building& building, const PreprocessParame
 
 std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p) {
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  return {{"doors", p.doors},
-          {"windows", p.windows},
-          {"automatic", p.automatic ? "true" : "false"},
-          {"images", p.images ? "true" : "false"},
-          {"voxel_m", number(p.cells.voxel)},
-          {"slice_height_m", number(p.cells.slice_height)},
-          {"lintel_radius_m", number(p.cells.lintel_radius)},
-          {"lintel_head_m", number(p.cells.lintel_head)},
-          {"merge_ratio", number(p.cells.merge_ratio)},
-          {"smallest_room_m2", number(p.cells.smallest_room)},
-          {"smallest_door_m", number(p.cells.smallest_door)},
-          {"image_size_px", number(p.image.image_size)},
-          {"captures", capturePlanText(p.image.rings)},
-          {"ldi", p.image.ldi == LdiMaking::kRayCast ? "raycast" : "warp"},
-          {"switch_distance_m", number(p.image.switch_distance)},
-          {"ldi_half_width", number(p.image.ldi_half_width)},
-          {"depth_threshold_px", number(p.image.depth_threshold)},
-          {"eye_height_m", number(p.eye_height)},
-          {"rays_per_cell", number(p.rays_per_cell)}};
+  std::map<std::string, std::string> texts = imageParameterTexts(p.image);
+  texts.insert({{"doors", p.doors},
+                {"windows", p.windows},
+                {"automatic", p.automatic ? "true" : "false"},
+                {"images", p.images ? "true" : "false"},
+                {"voxel_m", number(p.cells.voxel)},
+                {"slice_height_m", number(p.cells.slice_height)},
+                {"lintel_radius_m", number(p.cells.lintel_radius)},
+                {"lintel_head_m", number(p.cells.lintel_head)},
+                {"merge_ratio", number(p.cells.merge_ratio)},
+                {"smallest_room_m2", number(p.cells.smallest_room)},
+                {"smallest_door_m", number(p.cells.smallest_door)},
+                {"eye_height_m", number(p.eye_height)},
+                {"rays_per_cell", number(p.rays_per_cell)}});
+  return texts;
 }
 
 // What the author said of a portal and what the voxels say, where they differ.

@@ -63,6 +63,7 @@
   X(PixelStorei, PIXELSTOREI)                         \
   X(ReadPixels, READPIXELS)                           \
   X(RenderbufferStorage, RENDERBUFFERSTORAGE)         \
+  X(SamplerParameterf, SAMPLERPARAMETERF)             \
   X(SamplerParameteri, SAMPLERPARAMETERI)             \
   X(Scissor, SCISSOR)                                 \
   X(ShaderSource, SHADERSOURCE)                       \

@@ -33,6 +33,7 @@ class ObjectPainter {
                   const SieveView& view);
 
   /// Whether triangles that cover no pixel are left out before OpenGL is asked: so from the start.
+  void setTextureBias(float levels) { textures_.setBias(levels); }  ///< see Renderer
   void setSifting(bool sifting) { sifting_ = sifting; }
 
  private:

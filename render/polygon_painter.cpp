@@ -8,6 +8,12 @@
 
 namespace enfilade {
 
+namespace {
+
+constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
+
+}  // namespace
+
 PolygonPainter::PolygonPainter(const GlFunctions& gl) : gl_(gl) {
   screen_program_ =
       createProgram(gl, kPolygonVertexShader, kScreenPolygonFragmentShader, kPolygonAttributes);
@@ -32,11 +38,15 @@ PolygonPainter::~PolygonPainter() {
   gl_.DeleteVertexArrays(1, &vertex_array_);
   gl_.DeleteBuffers(1, &buffer_);
   for (const Texture& texture : textures_) gl_.DeleteTextures(1, &texture.name);
+  for (const auto& [key, kept] : kept_) gl_.DeleteTextures(1, &kept.texture.name);
 }
 
 void PolygonPainter::bindTexture(int width, int height, bool by_pixel) {
   if (used_ == textures_.size()) textures_.emplace_back();
-  Texture& texture = textures_[used_++];
+  bind(textures_[used_++], width, height, by_pixel);
+}
+
+void PolygonPainter::bind(Texture& texture, int width, int height, bool by_pixel) {
   if (texture.name == 0) gl_.GenTextures(1, &texture.name);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, texture.name);
@@ -51,6 +61,31 @@ void PolygonPainter::bindTexture(int width, int height, bool by_pixel) {
   texture.width = width;
   texture.height = height;
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+}
+
+void PolygonPainter::bindKept(const Image& image, std::uint64_t key) {
+  KeptTexture& kept = kept_[key];
+  const bool is_new = kept.texture.name == 0;
+  kept.frame = frame_;
+  bind(kept.texture, image.width, image.height, false);
+  if (!is_new) return;
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                    image.rgba.data());
+  kept.bytes = image.rgba.size();
+  kept_bytes_ += kept.bytes;
+  dropOldTextures();
+}
+
+void PolygonPainter::dropOldTextures() {
+  while (kept_bytes_ > kMostKeptBytes) {
+    const auto oldest = std::min_element(kept_.begin(), kept_.end(), [](auto& a, auto& b) {
+      return a.second.frame < b.second.frame;
+    });
+    if (oldest->second.frame == frame_) return;  // all are in this frame
+    gl_.DeleteTextures(1, &oldest->second.texture.name);
+    kept_bytes_ -= oldest->second.bytes;
+    kept_.erase(oldest);
+  }
 }
 
 void PolygonPainter::drawTriangles(GLuint program, const glm::mat4& clip_from_world) {
@@ -96,7 +131,7 @@ void PolygonPainter::drawScreenPolygons(std::span<const ScreenPolygon> polygons,
 
 void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                                          std::span<const glm::vec2> texcoords, const Image& texture,
-                                         const glm::mat4& clip_from_world) {
+                                         const glm::mat4& clip_from_world, std::uint64_t key) {
   assert(polygon.size() == texcoords.size());
   triangles_.clear();
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -105,9 +140,13 @@ void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
     }
   }
   if (triangles_.empty() || texture.rgba.empty()) return;
-  bindTexture(texture.width, texture.height, false);
-  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width, texture.height, GL_RGBA,
-                    GL_UNSIGNED_BYTE, texture.rgba.data());
+  if (key != 0) {
+    bindKept(texture, key);
+  } else {
+    bindTexture(texture.width, texture.height, false);
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.width, texture.height, GL_RGBA,
+                      GL_UNSIGNED_BYTE, texture.rgba.data());
+  }
   drawTriangles(textured_program_, clip_from_world);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -19,14 +21,18 @@ class PolygonPainter {
   PolygonPainter& operator=(const PolygonPainter&) = delete;
 
   /// A new frame: textures may be written again without waiting for those who read them.
-  void begin() noexcept { used_ = 0; }
+  void begin() noexcept {
+    used_ = 0;
+    ++frame_;
+  }
 
   /// See Renderer::drawScreenPolygons.
   void drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
                           const glm::ivec4& region, const glm::mat4& clip_from_world);
   /// See Renderer::drawTexturedPolygon.
   void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
-                           const Image& texture, const glm::mat4& clip_from_world);
+                           const Image& texture, const glm::mat4& clip_from_world,
+                           std::uint64_t key);
 
   /// Sets the frame's alpha to what Renderer::readVisible returns, in 255ths, and nothing else but
   /// depth.
@@ -45,9 +51,19 @@ class PolygonPainter {
     int height = 0;
   };
 
+  /// A texture that stays uploaded from frame to frame.
+  struct KeptTexture {
+    Texture texture;
+    std::size_t bytes = 0;
+    std::uint64_t frame = 0;  ///< when it was drawn last
+  };
+
   void bindTexture(int width, int height, bool by_pixel);
   void setTriangles(std::span<const glm::vec3> polygon);
   void setAlphaOfAll(float alpha);
+  void bind(Texture& texture, int width, int height, bool by_pixel);
+  void bindKept(const Image& image, std::uint64_t key);
+  void dropOldTextures();
   void drawTriangles(GLuint program, const glm::mat4& clip_from_world);
 
   const GlFunctions& gl_;
@@ -59,6 +75,9 @@ class PolygonPainter {
   std::vector<Vertex> triangles_;
   std::vector<Texture> textures_;  // one for each use in a frame, kept for the next
   std::size_t used_ = 0;
+  std::map<std::uint64_t, KeptTexture> kept_;  // by key
+  std::size_t kept_bytes_ = 0;
+  std::uint64_t frame_ = 0;
 };
 
 }  // namespace enfilade

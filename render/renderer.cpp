@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <array>
 #include <cassert>
 
 #include "render/frame_buffer.h"
@@ -23,7 +24,7 @@ struct Renderer::Impl {
   Impl(GlContext& gl_context, const Building& building)
       : context((gl_context.makeCurrent(), gl_context)),
         gl(gl_context.gl()),
-        frame(gl),
+        frames{FrameBuffer(gl), FrameBuffer(gl)},
         objects(gl, building),
         polygons(gl) {
     gl.GetIntegerv(GL_SUBPIXEL_BITS, &sub_pixel_bits);
@@ -33,15 +34,20 @@ struct Renderer::Impl {
 
   void begin(int width, int height);
 
+  /// The framebuffer of the frame begun last.
+  FrameBuffer& frame() noexcept { return frames[current]; }
+
   /// Another renderer of the context may have had its framebuffer bound since.
   void rebind() {
     context.makeCurrent();
-    frame.bind(frame.width(), frame.height());
+    frame().bind(frame().width(), frame().height());
   }
 
   GlContext& context;
   const GlFunctions& gl;
-  FrameBuffer frame;
+  // Two, so that captures of other sizes between frames leave the frames' own buffer as it is.
+  std::array<FrameBuffer, 2> frames;
+  std::size_t current = 0;
   ObjectPainter objects;
   PolygonPainter polygons;
   GLint sub_pixel_bits = 4;
@@ -49,7 +55,10 @@ struct Renderer::Impl {
 
 void Renderer::Impl::begin(int width, int height) {
   context.makeCurrent();
-  frame.bind(width, height);
+  const bool fits = frame().width() == width && frame().height() == height;
+  const std::size_t next = fits ? current : 1 - current;
+  frames[next].bind(width, height);
+  current = next;
   polygons.begin();
   gl.Viewport(0, 0, width, height);
   gl.Disable(GL_BLEND);
@@ -74,23 +83,29 @@ void Renderer::begin(int width, int height) { impl_->begin(width, height); }
 
 DrawCounts Renderer::draw(std::span<const std::uint32_t> objects, const View& view) {
   return impl_->objects.draw(objects, view.eye,
-                             {upsideDown(view.clip_from_world), impl_->frame.width(),
-                              impl_->frame.height(), impl_->sub_pixel_bits});
+                             {upsideDown(view.clip_from_world), impl_->frame().width(),
+                              impl_->frame().height(), impl_->sub_pixel_bits});
 }
 
 void Renderer::drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
                                   const glm::ivec4& region, const glm::mat4& clip_from_world) {
-  assert(picture.width == impl_->frame.width() && picture.height == impl_->frame.height());
+  assert(picture.width == impl_->frame().width() && picture.height == impl_->frame().height());
   impl_->polygons.drawScreenPolygons(polygons, picture, region, upsideDown(clip_from_world));
 }
 
 void Renderer::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                                    std::span<const glm::vec2> texcoords, const Image& texture,
-                                   const glm::mat4& clip_from_world) {
-  impl_->polygons.drawTexturedPolygon(polygon, texcoords, texture, upsideDown(clip_from_world));
+                                   const glm::mat4& clip_from_world, std::uint64_t key) {
+  impl_->polygons.drawTexturedPolygon(polygon, texcoords, texture, upsideDown(clip_from_world),
+                                      key);
 }
 
 void Renderer::setSifting(bool sifting) { impl_->objects.setSifting(sifting); }
+
+void Renderer::setTextureBias(float levels) {
+  impl_->context.makeCurrent();
+  impl_->objects.setTextureBias(levels);
+}
 
 void Renderer::finish() { impl_->gl.Finish(); }
 
@@ -99,14 +114,14 @@ void Renderer::show(int window_width, int window_height) {
   impl_->rebind();
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   // A window's row 0 is at the bottom.
-  gl.BlitFramebuffer(0, 0, impl_->frame.width(), impl_->frame.height(), 0, window_height,
+  gl.BlitFramebuffer(0, 0, impl_->frame().width(), impl_->frame().height(), 0, window_height,
                      window_width, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   impl_->rebind();
 }
 
 void Renderer::readColor(Image& out) {
-  out.width = impl_->frame.width();
-  out.height = impl_->frame.height();
+  out.width = impl_->frame().width();
+  out.height = impl_->frame().height();
   out.rgba.resize(4 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
   impl_->rebind();
   impl_->gl.ReadPixels(0, 0, out.width, out.height, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
@@ -124,8 +139,8 @@ void Renderer::readVisible(std::span<const ScreenPolygon> polygons,
 }
 
 void Renderer::readDepth(std::vector<float>& out) {
-  const int width = impl_->frame.width();
-  const int height = impl_->frame.height();
+  const int width = impl_->frame().width();
+  const int height = impl_->frame().height();
   out.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   impl_->rebind();
   impl_->gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());

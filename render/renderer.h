@@ -62,13 +62,19 @@ class Renderer {
                           const glm::ivec4& region, const glm::mat4& clip_from_world);
 
   /// Draws one convex polygon with `texture` mapped on it: `texcoords` one a corner, v = 0 is the
-  /// top row.
+  /// top row.  A texture with a `key` but 0 stays uploaded for later frames, so that the same key
+  /// must always mean the same texture; at most 64 MiB of them, those drawn last.
   void drawTexturedPolygon(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords,
-                           const Image& texture, const glm::mat4& clip_from_world);
+                           const Image& texture, const glm::mat4& clip_from_world,
+                           std::uint64_t key = 0);
 
   /// Whether draw() leaves out the triangles that cover no pixel's centre, which changes no pixel
   /// but the time that it takes.  So from the start; off for comparisons.
   void setSifting(bool sifting);
+
+  /// Textures are read `levels` mip levels coarser from now on: for pictures several of whose
+  /// pixels become one, whose textures are to be as smooth as that one's.
+  void setTextureBias(float levels);
 
   /// Waits until all is drawn.
   void finish();

@@ -74,4 +74,12 @@ GLuint TextureSet::sampler(const Material& material) {
   return name;
 }
 
+void TextureSet::setBias(float levels) {
+  if (levels == bias_) return;
+  bias_ = levels;
+  for (const auto& [key, name] : samplers_) {
+    gl_.SamplerParameterf(name, GL_TEXTURE_LOD_BIAS, levels);
+  }
+}
+
 }  // namespace enfilade

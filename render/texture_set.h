@@ -21,10 +21,14 @@ class TextureSet {
   GLuint texture(const Material& material) const { return textures_[material.image]; }
   GLuint sampler(const Material& material);
 
+  /// Has all samplers made so far read `levels` mip levels coarser.
+  void setBias(float levels);
+
  private:
   const GlFunctions& gl_;
   std::vector<GLuint> textures_;  // one an image, 0 where no material uses it
   std::map<std::uint32_t, GLuint> samplers_;
+  float bias_ = 0;
 };
 
 /// Uploads `image` as level `level` of the bound GL_TEXTURE_2D, RGBA8 as stored.

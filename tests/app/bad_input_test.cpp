@@ -99,13 +99,25 @@ TEST_F(BadInput, AHouseThatIsNone) {
 }
 
 TEST_F(BadInput, AMethodThatThereIsNot) {
-  expectRefusal({"play", "house", "-o", "new", "--methods", "culling,magic"}, 1,
-                "'magic': no such method; there are: geometry, raycast, culling, ldi");
+  expectRefusal(
+      {"play", "house", "-o", "new", "--methods", "culling,magic"}, 1,
+      "'magic': no such method; there are: geometry, raycast, culling, texture, warp, warp2, ldi");
 }
 
 TEST_F(BadInput, AMethodThatNeedsImagesOfAHouseWithoutThem) {
   expectRefusal({"play", "house", "-o", "new", "--quiet", "--methods", "ldi"}, 2,
                 "house: has no images for the method ldi");
+  expectRefusal({"play", "house", "-o", "new", "--quiet", "--methods", "culling,warp2"}, 2,
+                "house: has no images for the method warp2, which shows reference images; "
+                "preprocess the model again with --bake texture,warp,ldi, or play with --images "
+                "on-demand");
+}
+
+TEST_F(BadInput, ASourceOrAKindOfImagesThatThereIsNot) {
+  expectRefusal({"play", "house", "-o", "new", "--images", "sometimes"}, 1,
+                "--images sometimes: no such source; there are: baked, on-demand");
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "--bake", "ldi,magic"}, 1,
+                "'magic': no such kind of image; there are: texture, warp, ldi");
 }
 
 TEST_F(BadInput, ATourOfAnotherFormat) {

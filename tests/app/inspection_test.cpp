@@ -67,7 +67,7 @@ TEST(Inspection, NamesTheCellsAndPortalsThatLookWrong) {
 TEST(Inspection, NamesInJsonMayHoldAnything) {
   House house = twoRoomHouse();
   house.graph.cells[1].name = "caf\xc3\xa9 \"quoted\" \xff";
-  const Json json = Json::parse(houseJson("house", house, 0));
+  const Json json = Json::parse(houseJson("house", house, {}));
   EXPECT_EQ(json["cells"].size(), house.graph.cells.size());
   EXPECT_EQ(json["portals"][0]["kind"], "door");
 }

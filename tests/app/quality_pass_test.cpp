@@ -49,7 +49,9 @@ class QualityPass : public ::testing::Test {
   static Pose poseAt(float x) { return lookAt({x, 1.5f, 1.8f}, {4.1f, 1.3f, 2.0f}); }
 
   void useImage(double rows) {
-    const ImageParameters parameters{.image_size = 64, .captures = 5};
+    ImageParameters parameters;
+    parameters.image_size = 64;
+    parameters.rings = {{5, 75.0f, 0.0f}, {6, 62.5f, -0.5f}};
     const Ldi ldi =
         buildLdi(house_.graph.portals[kDoorway.portal], kDoorway.from_front, 1.6f, parameters,
                  [&](const PlanarCamera& c) { return magentaCapture(c, rows); });

@@ -50,7 +50,7 @@ Report exampleReport() {
   for (std::size_t frame = 0; frame < 3; ++frame) {
     FrameRecord record{
         Method::kLdi, frame, {}, ImageQuality{30.0 + static_cast<double>(frame), 0.9, 12}};
-    record.cost = {ldi_ms[frame], 0.1, 2, 0.3, 1, 50, 2, 3, 1, 4000, 1000, 0.25};
+    record.cost = {ldi_ms[frame], 0.1, std::nullopt, 2, 0.3, 1, 50, 2, 3, 1, 4000, 1000, 0.25};
     if (frame > 0) {  // the first shows no image
       record.quality->psnr_portals_db = 24.0 + static_cast<double>(frame);
       record.quality->ssim_portals = 0.85;
@@ -80,19 +80,19 @@ TEST(FramesCsv, HasTheColumnsOfTheDesignInTheirOrder) {
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "method,frame,frametime_ms,cull_ms,warp_ms,composite_ms,draw_ms,triangles,cells,"
             "portals,portals_as_images,samples,samples_clipped,psnr_db,ssim,differing_percent,"
-            "uncovered_percent,psnr_portals_db,ssim_portals,flicker");
+            "uncovered_percent,psnr_portals_db,ssim_portals,flicker,capture_ms");
 }
 
 TEST(FramesCsv, IsARowAFrameAndMethodWithEmptyCellsForWhatThereIsNot) {
   const std::vector<std::string> lines = split(framesCsv(exampleReport()), '\n');
   ASSERT_EQ(lines.size(), 8u);  // head, six rows, and what follows the last line's end
   EXPECT_EQ(lines[2],
-            "geometry,1,20.0000,0.5000,,,19.5000,2000,,,,,,100.000,1.000000,0.00000,,,,0.00000");
+            "geometry,1,20.0000,0.5000,,,19.5000,2000,,,,,,100.000,1.000000,0.00000,,,,0.00000,");
   EXPECT_EQ(lines[6],
             "ldi,2,9.0000,0.1000,2.0000,0.3000,1.0000,50,2,3,1,4000,1000,32.000,"
-            "0.900000,12.00000,0.25000,26.000,0.850000,0.50000");
-  EXPECT_TRUE(lines[4].ends_with(",12.00000,0.25000,,,")) << lines[4];
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(split(lines[i], ',').size(), 20u) << lines[i];
+            "0.900000,12.00000,0.25000,26.000,0.850000,0.50000,");
+  EXPECT_TRUE(lines[4].ends_with(",12.00000,0.25000,,,,")) << lines[4];
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(split(lines[i], ',').size(), 21u) << lines[i];
   EXPECT_EQ(lines[7], "");
 }
 

@@ -19,17 +19,20 @@ using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 namespace fs = std::filesystem;
 
+constexpr const char* kAllMethods = "geometry,raycast,culling,texture,warp,warp2,ldi";
+
 class WholeJob : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     here_ = std::make_unique<TemporaryFolder>();
     writeGlb(*here_ / "model.glb", twoRoomHouse().building);
     preprocessed_ = run({"preprocess", "model.glb", "-o", "house", "--image-size", "32",
-                         "--captures", "ring:3", "--sight-lines", "5000", "-j", "2"});
+                         "--captures", "ring:3", "--bake", "texture,warp,ldi",
+                         "--textures-per-portal", "5", "--sight-lines", "5000", "-j", "2"});
     toured_ = run({"tour", "house", "-o", "tour.json", "--frames", "12", "-q"});
-    played_ = run({"play", "house", "--tour", "tour.json", "--methods",
-                   "geometry,raycast,culling,ldi", "--size", "80x64", "--quality", "--frames-dir",
-                   "frames", "--threads", "2", "-o", "report"});
+    played_ =
+        run({"play", "house", "--tour", "tour.json", "--methods", kAllMethods, "--size", "80x64",
+             "--quality", "--frames-dir", "frames", "--threads", "2", "-o", "report"});
   }
   static void TearDownTestSuite() { here_.reset(); }
 
@@ -78,6 +81,11 @@ TEST_F(WholeJob, InspectDescribesTheHouseAsJson) {
   EXPECT_NEAR(json["portals"][0]["width_m"].get<double>(), 1.0, 0.15);
   EXPECT_NEAR(json["portals"][0]["height_m"].get<double>(), 2.1, 0.15);
   EXPECT_EQ(json["model"]["name"], "model.glb");
+  EXPECT_EQ(json["portal_images"]["textures"], 5 * json["image_sides"].get<int>());
+  EXPECT_EQ(json["portal_images"]["references"], 6 * json["image_sides"].get<int>());
+  EXPECT_EQ(json["portal_images"]["ldis"], json["image_sides"]);
+  EXPECT_EQ(json["parameters"]["bake"], "texture,warp,ldi");
+  EXPECT_EQ(json["parameters"]["textures_per_portal"], "5");
   const std::string plan = textOf(path("plan.svg"));
   EXPECT_TRUE(plan.starts_with("<svg")) << plan.substr(0, 100);
   for (std::size_t cell = 1; cell < 3; ++cell) {
@@ -140,12 +148,12 @@ TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
 TEST_F(WholeJob, TheReportIsWhole) {
   EXPECT_EQ(bytesBelow("report").size(), 4u);
   const std::string csv = textOf(path("report/frames.csv"));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 12);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 7 * 12);
   const Json summary = Json::parse(textOf(path("report/summary.json")));
   EXPECT_EQ(summary["frames"], 12);
   EXPECT_EQ(summary["size"], (Json{80, 64}));
   EXPECT_EQ(summary["threads"], 2);
-  EXPECT_EQ(summary["methods"].size(), 4u);
+  EXPECT_EQ(summary["methods"].size(), 7u);
   EXPECT_EQ(summary["methods"]["culling"]["differing_percent"]["max"], 0);
   EXPECT_GT(summary["methods"]["ldi"]["psnr_db"]["mean"], 20);
   EXPECT_GT(summary["methods"]["ldi"]["portals_as_images"]["max"], 0)
@@ -159,7 +167,8 @@ TEST_F(WholeJob, TheReportIsWhole) {
   EXPECT_TRUE(summary["methods"]["ldi"]["switch_jump"]["count"].is_number_unsigned());
   const Image sheet = readImage(path("report/contact-sheet.png"));
   EXPECT_EQ((sheet.width + kSheetGap) % (80 + kSheetGap), 0);
-  EXPECT_EQ((sheet.width + kSheetGap) / (80 + kSheetGap), 3) << "geometry, ldi, difference";
+  EXPECT_EQ((sheet.width + kSheetGap) / (80 + kSheetGap), 6)
+      << "geometry, texture, warp, warp2, ldi, difference";
   const std::string page = textOf(path("report/report.html"));
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_NE(page.find("\"frames_dir\":\"../frames\""), std::string::npos);
@@ -167,20 +176,21 @@ TEST_F(WholeJob, TheReportIsWhole) {
 
 TEST_F(WholeJob, StdoutEndsWithATableAndWhereTheReportIs) {
   EXPECT_TRUE(played_.output.ends_with("report: report/report.html\n")) << played_.output;
-  for (const char* method : {"\ngeometry ", "\nraycast ", "\nculling ", "\nldi "}) {
+  for (const char* method :
+       {"\ngeometry ", "\nraycast ", "\nculling ", "\ntexture ", "\nwarp ", "\nwarp2 ", "\nldi "}) {
     EXPECT_NE(played_.output.find(method), std::string::npos) << played_.output;
   }
 }
 
 TEST_F(WholeJob, EveryFrameIsKept) {
-  EXPECT_EQ(bytesBelow("frames").size(), 4u * 12u);
+  EXPECT_EQ(bytesBelow("frames").size(), 7u * 12u);
   EXPECT_TRUE(fs::exists(path("frames/ldi/frame-00011.png")));
 }
 
 TEST_F(WholeJob, TheSamePixelsWithOneThreadAsWithTwo) {
-  const ProgramResult result = run(
-      {"play", "house", "--tour", "tour.json", "--methods", "geometry,raycast,culling,ldi",
-       "--size", "80x64", "--frames-dir", "frames-1", "--threads", "1", "-q", "-o", "report-1"});
+  const ProgramResult result =
+      run({"play", "house", "--tour", "tour.json", "--methods", kAllMethods, "--size", "80x64",
+           "--frames-dir", "frames-1", "--threads", "1", "-q", "-o", "report-1"});
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(bytesBelow("frames"), bytesBelow("frames-1"));
 }
@@ -188,13 +198,59 @@ TEST_F(WholeJob, TheSamePixelsWithOneThreadAsWithTwo) {
 TEST_F(WholeJob, TheSameHouseWithOneThreadAsWithTwo) {
   const ProgramResult result =
       run({"preprocess", "model.glb", "-o", "house-1", "--image-size", "32", "--captures", "ring:3",
-           "--sight-lines", "5000", "-j", "1"});
+           "--bake", "texture,warp,ldi", "--textures-per-portal", "5", "--sight-lines", "5000",
+           "-j", "1"});
   ASSERT_EQ(result.status, 0) << result.errors;
   const auto files = bytesBelow("house"), again = bytesBelow("house-1");
   ASSERT_EQ(files.size(), again.size());
   for (const auto& [name, bytes] : files) {
     EXPECT_TRUE(again.contains(name) && again.at(name) == bytes) << name;
   }
+}
+
+TEST_F(WholeJob, ImagesOnDemandNeedNoneOfTheHouseAndAreTheSameEveryTime) {
+  ASSERT_EQ(run({"preprocess", "model.glb", "-o", "bare", "--image-size", "32", "--no-images",
+                 "--sight-lines", "5000", "-q"})
+                .status,
+            0);
+  for (const char* frames : {"made", "made-again"}) {
+    const ProgramResult result =
+        run({"play", "bare", "--tour", "tour.json", "--methods", "culling,texture,warp,warp2,ldi",
+             "--images", "on-demand", "--size", "80x64", "--frames-dir", frames, "-q", "-o",
+             "report-made"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+  }
+  EXPECT_EQ(bytesBelow("made"), bytesBelow("made-again"));
+  const Json methods = Json::parse(textOf(path("report-made/summary.json")))["methods"];
+  for (const char* method : {"texture", "warp", "warp2", "ldi"}) {
+    EXPECT_GT(methods[method]["portals_as_images"]["max"], 0) << method;
+    EXPECT_GT(methods[method]["capture_ms"]["max"], 0) << method;
+  }
+  EXPECT_FALSE(methods["culling"].contains("capture_ms"));
+}
+
+TEST_F(WholeJob, ABrokenOrMissingImageIsNamed) {
+  fs::copy(path("house"), path("broken"), fs::copy_options::recursive);
+  const std::string images = "broken/images/portal-0000-front/";
+  const auto complaint = [&](const char* methods) {
+    const ProgramResult result =
+        run({"play", "broken", "--methods", methods, "-q", "-o", "report-broken"});
+    EXPECT_EQ(result.status, 2);
+    return result.errors;
+  };
+  const std::string reference = path(images + "reference-03.bin");
+  writeText(reference, textOf(reference).substr(0, 1000));
+  EXPECT_NE(complaint("culling,warp").find("reference-03.bin: is cut short"), std::string::npos);
+  fs::remove(path(images + "texture-02.png"));
+  EXPECT_NE(complaint("texture").find("texture-02.png: is missing: 4 of the portal side's 5"),
+            std::string::npos);
+  writeText(path(images + "texture-02.png"), "no picture");
+  EXPECT_NE(complaint("texture").find("texture-02.png: is neither a PNG"), std::string::npos);
+  EXPECT_EQ(run({"play", "broken", "--tour", "tour.json", "--methods", "ldi", "--size", "32x32",
+                 "-q", "-o", "report-broken"})
+                .status,
+            0)
+      << "what is not needed is not read";
 }
 
 TEST_F(WholeJob, AReportIsReplacedByTheNext) {

@@ -136,5 +136,47 @@ TEST_F(ScreenPolygons, TexturedPolygonShowsItsTextureUpright) {
   EXPECT_EQ(pixelAt(image, 19, 20), kSky);
 }
 
+TEST_F(ScreenPolygons, AKeptTextureIsUploadedOnceAndManyMayBeKept) {
+  Renderer renderer(sharedContext(), building_);
+  const std::vector<glm::vec2> texcoords = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  const auto shown = [&](const glm::ivec4& color, std::uint64_t key) {
+    const Image texture = checkers(512, 512, color, color);  // 1 MiB
+    renderer.begin(kWidth, kHeight);
+    renderer.drawTexturedPolygon(portal().polygon, texcoords, texture, camera_.clipFromWorld(),
+                                 key);
+    Image image;
+    renderer.readColor(image);
+    return pixelAt(image, 40, 30);
+  };
+  EXPECT_EQ(shown(kRed, 1), kRed);
+  EXPECT_EQ(shown(kGreen, 2), kGreen);
+  EXPECT_EQ(shown(kBlue, 1), kRed) << "it was uploaded again";
+  EXPECT_EQ(shown(kBlue, 0), kBlue);
+  for (int i = 0; i < 70; ++i) {
+    const glm::ivec4 color(i, 0, 0, 255);
+    EXPECT_EQ(shown(color, 10 + static_cast<std::uint64_t>(i)), color);
+  }
+  EXPECT_EQ(shown(kBlue, 1), kBlue) << "the oldest was to give way";
+}
+
+TEST_F(ScreenPolygons, APictureOfAnotherSizeBetweenFramesLeavesNoTrace) {
+  addQuad(building_, rectangle({-1, -1}, {1, 1}, -3), unlitMaterial({1, 0, 0, 1}));
+  Renderer renderer(sharedContext(), building_);
+  const auto frame = [&](int width, int height) {
+    renderer.begin(width, height);
+    renderer.draw(allObjects(building_), camera_.view());
+    Image image;
+    renderer.readColor(image);
+    return image;
+  };
+  const Image first = frame(kWidth, kHeight);
+  for (const int size : {16, 200, 16, 33}) {
+    EXPECT_EQ(frame(size, size).width, size);
+    EXPECT_EQ(frame(kWidth, kHeight).rgba, first.rgba);
+  }
+  EXPECT_THROW(renderer.begin(1 << 20, 8), std::exception);
+  EXPECT_EQ(frame(kWidth, kHeight).rgba, first.rgba);
+}
+
 }  // namespace
 }  // namespace enfilade

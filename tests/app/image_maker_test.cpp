@@ -1,0 +1,267 @@
+// Baked images and those made on demand, on a house of two rooms in many colours.
+#include "app/image_maker.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "app/frame_painter.h"
+#include "preprocess/bake_images.h"
+#include "tests/app/temporary_folder.h"
+#include "tests/app/two_room_house.h"
+
+namespace enfilade {
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 128;
+
+ImageParameters parametersForAll() {
+  ImageParameters parameters;
+  parameters.bake = {};
+  parameters.image_size = 160;
+  parameters.rings = {{5, 75.0f, 0.0f}, {2, 40.0f, -0.4f}};
+  parameters.textures = 5;
+  return parameters;
+}
+
+/// Every box in a colour of its own; images are shown beyond 0.8 m, nearer than any viewpoint.
+House colouredHouse() {
+  House house = twoRoomHouse();
+  Building& building = house.building;
+  building.materials.clear();
+  for (std::size_t i = 0; i < building.meshes.size(); ++i) {
+    const auto share = static_cast<float>(i) / static_cast<float>(building.meshes.size());
+    Material material;
+    material.unlit = true;
+    material.base_color = {0.2f + 0.7f * share, 0.9f - 0.6f * share, i % 2 == 0 ? 0.3f : 0.7f, 1};
+    building.meshes[i].material = static_cast<std::uint32_t>(building.materials.size());
+    building.materials.push_back(material);
+  }
+  house.switch_distance = 0.8f;
+  house.info.parameters = imageParameterTexts(parametersForAll());
+  return house;
+}
+
+class ImagesTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    here_ = std::make_unique<TemporaryFolder>();
+    house_ = std::make_unique<House>(colouredHouse());
+    bakeImages(*house_, parametersForAll(), here_->path(), 1, {});
+    baked_ = std::make_unique<PortalImages>(*house_, here_->path());
+    gl_ = createOsMesaContext(1);
+  }
+  static void TearDownTestSuite() {
+    gl_.reset();
+    baked_.reset();
+    house_.reset();
+    here_.reset();
+  }
+
+  /// A camera that looks at the doorway from one of the side's texture viewpoints.
+  static Camera cameraAt(const glm::dvec3& eye) {
+    Camera camera = walkingCamera(*house_, 1.2f, kWidth, kHeight);
+    camera.pose = lookAt(glm::vec3(eye), glm::vec3(4.1f, 1.2f, 2.0f));
+    return camera;
+  }
+  static const SideImages& front() { return std::as_const(*baked_).side(0, true); }
+
+  static Image painted(FramePainter& painter, Method method, const Camera& camera) {
+    painter.paint(method, camera);
+    Image picture;
+    painter.read(picture);
+    return picture;
+  }
+
+  static std::unique_ptr<TemporaryFolder> here_;
+  static std::unique_ptr<House> house_;
+  static std::unique_ptr<PortalImages> baked_;
+  static std::unique_ptr<GlContext> gl_;
+};
+std::unique_ptr<TemporaryFolder> ImagesTest::here_;
+std::unique_ptr<House> ImagesTest::house_;
+std::unique_ptr<PortalImages> ImagesTest::baked_;
+std::unique_ptr<GlContext> ImagesTest::gl_;
+
+const Method kImageMethods[] = {Method::kTexture, Method::kWarp, Method::kWarp2, Method::kLdi};
+
+TEST_F(ImagesTest, EverySideHasAllItsImagesAndOnlyTheKindsAskedForAreRead) {
+  EXPECT_EQ(baked_->count(ImageKind::kTexture), 2u * 5u);
+  EXPECT_EQ(baked_->count(ImageKind::kReference), 2u * 6u);
+  EXPECT_EQ(baked_->count(ImageKind::kLdi), 2u);
+  const PortalImages some(*house_, here_->path(), {false, true, false});
+  EXPECT_EQ(some.count(ImageKind::kReference), some.count());
+  EXPECT_EQ(some.count(), 12u);
+  const ImageCounts counts = countImages(*house_, here_->path());
+  EXPECT_EQ(counts.sides, 2u);
+  EXPECT_EQ(counts.textures + counts.references + counts.ldis, baked_->count());
+}
+
+TEST_F(ImagesTest, FromItsViewpointAnImageShowsWhatGeometryShows) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  for (std::size_t i = 0; i < front().texture_fan.size(); ++i) {
+    const Camera camera = cameraAt(front().texture_fan.viewpoints()[i]);
+    const Image truth = painted(painter, Method::kGeometry, camera);
+    EXPECT_GT(psnr(painted(painter, Method::kTexture, camera), truth), 28) << i;
+  }
+  for (const glm::dvec3& at : front().reference_fan.viewpoints()) {
+    const Camera camera = cameraAt(at);
+    const Image truth = painted(painter, Method::kGeometry, camera);
+    EXPECT_GT(psnr(painted(painter, Method::kWarp, camera), truth), 28);
+    // From farther away a texture does not shrink as the room does.
+    const Camera away = cameraAt(at + glm::dvec3(1.2, 0, 0));
+    const Image truth_away = painted(painter, Method::kGeometry, away);
+    EXPECT_LT(psnr(painted(painter, Method::kTexture, away), truth_away),
+              psnr(painted(painter, Method::kWarp, away), truth_away));
+  }
+}
+
+TEST_F(ImagesTest, ATextureShowsOnlyWithinItsPortal) {
+  // The doorway cut to a triangle, half of it; its texture in one colour that nothing else has.
+  PortalImages images(*house_, here_->path(), {true, false, false});
+  for (Image& texture : images.side(0, true).textures) {
+    for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
+      texture.rgba[i] = texture.rgba[i + 2] = 255;
+      texture.rgba[i + 1] = 0;
+    }
+  }
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[2]);
+  const auto magentaIn = [&](const House& house) {
+    FramePainter painter(*gl_, house, images, kWidth, kHeight, 1);
+    const Image picture = painted(painter, Method::kTexture, camera);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      count += picture.rgba[i] == 255 && picture.rgba[i + 1] == 0 && picture.rgba[i + 2] == 255;
+    }
+    return static_cast<double>(count);
+  };
+  House cut = *house_;
+  cut.graph.portals[0].polygon.resize(3);
+  const double whole = magentaIn(*house_);
+  EXPECT_GT(whole, 1000);
+  EXPECT_NEAR(magentaIn(cut), 0.5 * whole, 0.1 * whole);
+}
+
+TEST_F(ImagesTest, AMethodReportsWhatItsImagesCost) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
+  for (const Method method : kImageMethods) {
+    const FrameCost cost = painter.paint(method, camera);
+    EXPECT_EQ(cost.portals_as_images, 1u);
+    EXPECT_TRUE(cost.composite_ms && cost.uncovered_percent);
+    EXPECT_FALSE(cost.capture_ms);
+    EXPECT_EQ(cost.samples.has_value(), method != Method::kTexture);
+    EXPECT_EQ(cost.warp_ms.has_value(), method != Method::kTexture);
+  }
+  const std::size_t one = *painter.paint(Method::kWarp, camera).samples;
+  EXPECT_GT(*painter.paint(Method::kWarp2, camera).samples, one);
+}
+
+TEST_F(ImagesTest, OnDemandBecomesTheBakedPictureOneCaptureAFrame) {
+  FramePainter baked(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  FramePainter painter(*gl_, *house_, {}, kWidth, kHeight, 1, ImageSource::kOnDemand);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1] * 0.9 + 0.1 * glm::dvec3(2));
+  const Image geometry = painted(baked, Method::kCulling, camera);
+  for (const Method method : kImageMethods) {
+    // The captures that it takes, and one frame more.
+    const int frames = method == Method::kLdi ? 7 : infoOf(method).images_at_once;
+    painter.prepare(method);
+    Image picture = painted(painter, method, camera);
+    if (method == Method::kLdi) {
+      EXPECT_EQ(picture.rgba, geometry.rgba) << "until the image is there";
+    }
+    for (int i = 1; i < frames; ++i) picture = painted(painter, method, camera);
+    EXPECT_EQ(picture.rgba, painted(baked, method, camera).rgba) << infoOf(method).name;
+    EXPECT_NE(picture.rgba, geometry.rgba);
+    EXPECT_EQ(painted(painter, method, camera).rgba, picture.rgba);
+  }
+}
+
+/// Walks to and fro before the doorway, in the first room.
+std::vector<Camera> walkBeforeTheDoorway() {
+  std::vector<Camera> walk;
+  for (int i = 0; i < 60; ++i) {
+    Camera camera;
+    camera.far_plane = 100;
+    camera.vertical_fov = 1.2f;
+    const float z = 2.0f + 1.6f * std::sin(0.3f * static_cast<float>(i));
+    camera.pose = lookAt({2.2f, 1.6f, z}, {4.1f, 1.2f, 2.0f});
+    walk.push_back(camera);
+  }
+  return walk;
+}
+
+class ImageMakerTest : public ImagesTest {
+ protected:
+  VisibleSet seen(const Camera& camera) const {
+    const View view = camera.view();
+    return cullByPortals(house_->graph, view, locate(house_->graph, house_->grid, view.eye).cell);
+  }
+
+  ObjectIndex objects_{*house_};
+  Renderer renderer_{*gl_, house_->building};
+};
+
+TEST_F(ImageMakerTest, MakesTheBakedImagesAtMostOneAFrame) {
+  for (const Method method : kImageMethods) {
+    ImageMaker maker(infoOf(method), *house_, objects_, renderer_);
+    std::size_t made = 0;
+    for (const Camera& camera : walkBeforeTheDoorway()) {
+      const bool more = maker.makeOne(seen(camera), camera.pose.position);
+      EXPECT_LE(maker.images().count(), made + (more ? 1 : 0));
+      made = maker.images().count();
+    }
+    EXPECT_GT(made, method == Method::kLdi ? 0u : 2u) << infoOf(method).name;
+    for (const bool from_front : {true, false}) {
+      const SideImages& mine = maker.images().side(0, from_front);
+      const SideImages& theirs = std::as_const(*baked_).side(0, from_front);
+      for (std::size_t i = 0; i < mine.textures.size(); ++i) {
+        if (!mine.hasTexture(i)) continue;
+        EXPECT_EQ(mine.textures[i].rgba, theirs.textures[i].rgba);
+      }
+      const auto expectSame = [](const Ldi& a, const Ldi& b) {
+        ASSERT_EQ(a.samples.size(), b.samples.size());
+        EXPECT_EQ(std::memcmp(a.samples.data(), b.samples.data(), 8 * a.samples.size()), 0);
+      };
+      for (std::size_t i = 0; i < mine.references.size(); ++i) {
+        if (mine.hasReference(i)) expectSame(mine.references[i], theirs.references[i]);
+      }
+      if (mine.has(ImageKind::kLdi)) expectSame(mine.ldi, theirs.ldi);
+    }
+  }
+}
+
+TEST_F(ImageMakerTest, NothingIsMadeForAPortalThatShowsGeometry) {
+  ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_);
+  Camera near = walkBeforeTheDoorway().front();
+  near.pose = lookAt({3.4f, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
+  EXPECT_FALSE(maker.makeOne(seen(near), near.pose.position));
+  EXPECT_EQ(maker.bytes(), 0u);
+}
+
+TEST_F(ImageMakerTest, WhatIsKeptIsBoundedAndTheSideSeenLastStays) {
+  // Room for one side's textures, not for two.
+  const std::size_t most = 5 * front().textures[0].rgba.size();
+  ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_, most);
+  std::vector<Camera> walk = walkBeforeTheDoorway();
+  for (Camera camera : walkBeforeTheDoorway()) {  // and in the other room
+    camera.pose = lookAt({6.0f, 1.6f, camera.pose.position.z}, {4.1f, 1.2f, 2.0f});
+    walk.push_back(camera);
+  }
+  for (const Camera& camera : walk) {
+    maker.makeOne(seen(camera), camera.pose.position);
+    EXPECT_LE(maker.bytes(), most);
+    const bool in_first_room = camera.pose.position.x < 4.1f;
+    const bool first_is_front = house_->graph.portals[0].front == 1;
+    EXPECT_TRUE(maker.images().side(0, in_first_room == first_is_front).has(ImageKind::kTexture));
+  }
+  EXPECT_FALSE(maker.images().side(0, house_->graph.portals[0].front == 1).has(ImageKind::kTexture))
+      << "the first room's should have given way";
+  maker.forget();
+  EXPECT_EQ(maker.bytes(), 0u);
+  EXPECT_EQ(maker.images().count(), 0u);
+}
+
+}  // namespace
+}  // namespace enfilade
