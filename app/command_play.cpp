@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/staged_folder.h"
+#include "app/warping.h"
 #include "preprocess/tour.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -29,6 +30,7 @@ struct PlayOptions {
   std::string size = "640x512";
   float fov_degrees = 0;  ///< 0: the path's own
   int threads = 0;
+  Warping warping;
   PlaybackParameters playback;
 };
 
@@ -145,6 +147,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   }
   const std::unique_ptr<GlContext> gl = createOsMesaContext(options.threads);
   FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
+  painter.setWarping(options.warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
   const Camera camera = walkingCamera(house, fov, size.x, size.y);
 
@@ -209,6 +212,7 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
       ->type_name("N")
       ->capture_default_str()
       ->check(limits(0, 10'000));
+  addWarpingOptions(command, options.warping);
   command
       .add_flag("--quality", options.playback.quality,
                 "Compare every frame with geometry, untimed: PSNR and SSIM of the frame and inside "

@@ -9,6 +9,7 @@
 #include "app/image_maker.h"
 #include "app/portal_mask.h"
 #include "app/portal_pictures.h"
+#include "app/warping.h"
 #include "render/ray_caster.h"
 #include "visibility/object_index.h"
 
@@ -25,6 +26,9 @@ class FramePainter {
   /// used on demand.  All must outlive the painter.  Throws Error (kMachine).
   FramePainter(GlContext& context, const House& house, const PortalImages& images, int width,
                int height, int threads, ImageSource source = ImageSource::kBaked);
+
+  /// How images are warped from now on.
+  void setWarping(const Warping& warping) { pictures_.setWarping(warping); }
 
   /// Begins a walk by `method`: builds what it needs beforehand, so that its first frame does not
   /// pay for it, and forgets the images that it made on demand.
@@ -46,6 +50,13 @@ class FramePainter {
 
   /// Which of its pixels are of portals' images.  The last to read of a frame: depth is lost.
   void readPortalMask(PortalMask& out);
+
+  /// The share of the last frame's pixels [percent] that are of a portal's image and that no sample
+  /// fell into, before any filling.  `mask`: that of the frame.
+  double uncoveredPercent(const PortalMask& mask) const {
+    return 100.0 * static_cast<double>(pictures_.uncoveredPixels(mask)) /
+           (static_cast<double>(width_) * height_);
+  }
 
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }

@@ -24,7 +24,9 @@ struct FrameCost {
   std::optional<std::size_t> portals_as_images;
   std::optional<std::size_t> samples;          ///< warped
   std::optional<std::size_t> samples_clipped;  ///< of the images, left out before warping
-  std::optional<double> uncovered_percent;     ///< of the frame's pixels: no sample fell there
+  /// Of the frame's pixels [percent], those that no sample fell into before any filling.  Once the
+  /// pictures were compared: only pixels that show a portal's image; until then also what hides it.
+  std::optional<double> uncovered_percent;
 };
 
 /// A row of frames.csv.

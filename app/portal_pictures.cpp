@@ -66,15 +66,11 @@ PortalPictures::PortalPictures(const House& house, int width, int height, int th
       height_(height),
       team_(threads),
       spans_(static_cast<std::size_t>(height)),
-      scratch_(std::make_shared<WarpScratch>()) {
-  setWarping({}, Holes::kNothing);
-}
+      scratch_(std::make_shared<WarpScratch>()) {}
 
-void PortalPictures::setWarping(const WarpOptions& options, Holes holes) {
-  warping_ = options;
-  warping_.team = &team_;
-  holes_ = holes;
-  before_ = {};
+void PortalPictures::setWarping(const Warping& warping) {
+  warping_ = warping;
+  before_.clear();
 }
 
 void PortalPictures::begin(Picture& picture) const {
@@ -99,7 +95,7 @@ WarpCounts PortalPictures::warpRound(const PlanarCamera& desired, std::size_t ro
     const std::span images(picture.chosen.warped.data(), picture.chosen.warped_count);
     jobs_.push_back({images, picture.regions[round], &picture.buffer, {}});
   }
-  warpJobs(jobs_, desired, warping_);
+  warpJobs(jobs_, desired, {warping_.splat, warping_.clip, &team_});
   WarpCounts sum;
   for (const WarpJob& job : jobs_) {
     sum.samples += job.counts.samples;
@@ -109,7 +105,7 @@ WarpCounts PortalPictures::warpRound(const PlanarCamera& desired, std::size_t ro
   return sum;
 }
 
-void PortalPictures::warpAll(const Camera& camera, FrameCost& cost) {
+void PortalPictures::warpAll(Method method, const Camera& camera, FrameCost& cost) {
   const PlanarCamera desired = planarCamera(camera, width_, height_);
   std::size_t rounds = 0;
   for (std::size_t i = 0; i < used_; ++i) {
@@ -127,30 +123,43 @@ void PortalPictures::warpAll(const Camera& camera, FrameCost& cost) {
   cost.samples_clipped = sum.samples_clipped;
   cost.uncovered_percent =
       100.0 * static_cast<double>(sum.pixels_uncovered) / (static_cast<double>(width_) * height_);
-  if (holes_ != Holes::kNothing) fillHoles();
+  if (warping_.holes != Holes::kNothing) fillHoles(method);
 }
 
-void PortalPictures::fillHoles() {
-  Image now;
-  if (holes_ == Holes::kPersist) {
-    now.width = width_;
-    now.height = height_;
-    now.rgba.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
-    if (before_.rgba.empty()) before_ = now;
+void PortalPictures::fillHoles(Method method) {
+  const bool persist = warping_.holes == Holes::kPersist;
+  Image& before = before_[method];
+  if (persist) {
+    now_.width = width_;
+    now_.height = height_;
+    now_.rgba.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
+    if (before.rgba.empty()) before = now_;
   }
   for (std::size_t i = 0; i < used_; ++i) {
     Image& color = pictures_[i].buffer.color;
     for (const std::vector<glm::vec2>& region : pictures_[i].regions) {
       const RowRange rows = fillConvexPolygon(region, width_, height_, spans_);
-      if (holes_ == Holes::kInpaint) {
-        filler_.inpaint(spans_, rows.top, rows.bottom, color);
+      if (persist) {
+        HoleFiller::persist(before, spans_, rows.top, rows.bottom, color);
+        HoleFiller::persist(color, spans_, rows.top, rows.bottom, now_);
       } else {
-        HoleFiller::persist(before_, spans_, rows.top, rows.bottom, color);
-        HoleFiller::persist(color, spans_, rows.top, rows.bottom, now);
+        filler_.inpaint(spans_, rows.top, rows.bottom, color);
       }
     }
   }
-  if (holes_ == Holes::kPersist) before_ = std::move(now);
+  if (persist) std::swap(before, now_);
+}
+
+std::size_t PortalPictures::uncoveredPixels(const PortalMask& mask) const noexcept {
+  constexpr std::size_t kTold = 254;  // what the mask tells apart
+  std::size_t uncovered = 0;
+  for (std::size_t p = 0; p < mask.of_pixel.size(); ++p) {
+    const std::size_t picture = mask.of_pixel[p];
+    if (picture == 0 || picture > std::min(used_, kTold)) continue;
+    const std::vector<std::uint8_t>& rgba = pictures_[picture - 1].buffer.color.rgba;
+    uncovered += !rgba.empty() && rgba[4 * p + 3] != kAlphaOfSample;
+  }
+  return uncovered;
 }
 
 void PortalPictures::drawWarped(const Picture& picture, const Camera& camera,
@@ -190,7 +199,7 @@ void PortalPictures::draw(const MethodInfo& method, const PortalImages& images,
   if (mapped) {
     cost.uncovered_percent = 0;  // a texture has no holes
   } else {
-    warpAll(camera, cost);
+    warpAll(method.method, camera, cost);
     cost.warp_ms = watch.lapMs();
   }
   for (std::size_t i = 0; i < used_; ++i) {

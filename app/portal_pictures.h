@@ -1,13 +1,14 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "app/frame_record.h"
 #include "app/image_choice.h"
-#include "ibr/hole_filling.h"
-#include "ibr/warp.h"
+#include "app/portal_mask.h"
+#include "app/warping.h"
 #include "render/renderer.h"
 #include "render/thread_team.h"
 #include "visibility/portal_culling.h"
@@ -26,14 +27,17 @@ class PortalPictures {
   /// `threads`: that warp, 0: as many as the machine has.
   PortalPictures(const House& house, int width, int height, int threads);
 
-  /// How images are warped from now on; its team is the pictures' own.
-  void setWarping(const WarpOptions& options, Holes holes);
+  /// How images are warped from now on.
+  void setWarping(const Warping& warping);
 
   /// Warps what `method` shows of `images` in every portal of `set` that is shown as an image to
   /// `camera`, and has `renderer` draw it in the portal.  Fills in the times of both and what was
   /// warped in `cost`.  The same pixels for any number of threads.
   void draw(const MethodInfo& method, const PortalImages& images, const VisibleSet& set,
             const Camera& camera, Renderer& renderer, FrameCost& cost);
+
+  /// How many pixels of `mask`, that of the frame drawn last, no sample fell into.
+  std::size_t uncoveredPixels(const PortalMask& mask) const noexcept;
 
  private:
   /// One portal's picture of the frame: it has a buffer of its own, so that portals are warped at
@@ -49,8 +53,8 @@ class PortalPictures {
   };
   void begin(Picture& picture) const;
   WarpCounts warpRound(const PlanarCamera& desired, std::size_t round);
-  void fillHoles();
-  void warpAll(const Camera& camera, FrameCost& cost);
+  void fillHoles(Method method);
+  void warpAll(Method method, const Camera& camera, FrameCost& cost);
   void drawWarped(const Picture& picture, const Camera& camera, Renderer& renderer) const;
   void drawTexture(const Picture& picture, const Camera& camera, Renderer& renderer) const;
 
@@ -58,10 +62,10 @@ class PortalPictures {
   float texture_margin_;  ///< [m] beyond the portals' rectangles
   int width_, height_;
   ThreadTeam team_;
-  WarpOptions warping_;
-  Holes holes_ = Holes::kNothing;
+  Warping warping_;
   HoleFiller filler_;
-  Image before_;  ///< the warped images of the frame before, if holes persist
+  std::map<Method, Image> before_;  ///< the warped images of its frame before, if holes persist
+  Image now_;                       ///< those of the frame at hand
   std::vector<glm::ivec2> spans_;
   std::vector<WarpJob> jobs_;
   std::shared_ptr<WarpScratch> scratch_;

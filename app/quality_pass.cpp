@@ -41,6 +41,7 @@ class Comparison {
   void compare(std::size_t m, const Image& picture, FrameRecord& record) {
     painter_.readPortalMask(mask_);
     record.quality = compareImages(picture, truth_, mask_.of_pixel);
+    if (record.cost.samples) record.cost.uncovered_percent = painter_.uncoveredPercent(mask_);
     errorOf(picture, truth_, error_);
     if (frame_ > 0) record.flicker = flicker(motion_, error_, last_[m].error);
     std::swap(last_[m].error, error_);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "ibr/warp.h"
+
 namespace enfilade {
 namespace {
 
@@ -44,7 +46,7 @@ std::uint32_t meanAround(Image& picture, const Part& part, const glm::ivec2& at)
   }
   if (known == 0) return 0;
   const auto mean = [&](std::size_t c) { return (sum[c] + known / 2) / known; };
-  return 0xff000000u | mean(2) << 16 | mean(1) << 8 | mean(0);
+  return std::uint32_t{kAlphaOfFilling} << 24 | mean(2) << 16 | mean(1) << 8 | mean(0);
 }
 
 }  // namespace
@@ -58,7 +60,10 @@ void HoleFiller::persist(const Image& before, std::span<const glm::ivec2> spans,
     for (int x = span.x; x < span.y; ++x) {
       std::uint8_t* const pixel = pixelAt(picture, x, y);
       if (pixel[3] != 0) continue;
-      std::memcpy(pixel, before.rgba.data() + (pixel - picture.rgba.data()), 4);
+      const std::uint8_t* const was = before.rgba.data() + (pixel - picture.rgba.data());
+      if (was[3] == 0) continue;
+      std::memcpy(pixel, was, 3);
+      pixel[3] = kAlphaOfFilling;
     }
   }
 }

@@ -25,7 +25,8 @@ struct HolesInfo {
 /// Every way of filling holes, in the order of Holes.
 std::span<const HolesInfo> allHoles();
 
-/// Fills the holes (alpha 0) of a warped picture.  Keeps working memory between frames.
+/// Fills the holes (alpha 0) of a warped picture; they have kAlphaOfFilling then.  Keeps working
+/// memory between frames.
 class HoleFiller {
  public:
   /// Fills the holes of `picture` in columns [spans[y].x, spans[y].y) of rows [top, bottom) by the

@@ -74,8 +74,9 @@ std::size_t closeCracks(const SumsRow& row, int x0, int x1, std::uint8_t* out) n
     if (!(crack.w > 0.0f)) continue;
     const glm::vec4 color = crack / crack.w + 0.5f;
     for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(color[c]);
-    out[3] = 255;
-    bridged += !(row.nearest[x] > 0.0f);
+    const bool uncovered = !(row.nearest[x] > 0.0f);
+    out[3] = uncovered ? kAlphaOfFilling : kAlphaOfSample;
+    bridged += uncovered;
   }
   return bridged;
 }

@@ -15,7 +15,11 @@ namespace enfilade {
 class ThreadTeam;
 struct WarpScratch;
 
-/// The frame-sized picture that images are warped into.  Alpha 0: no sample fell there.
+/// Alpha of a warped picture's pixels: 0 where no sample fell.
+inline constexpr std::uint8_t kAlphaOfSample = 255;
+inline constexpr std::uint8_t kAlphaOfFilling = 254;  ///< no sample fell there, but it was filled
+
+/// The frame-sized picture that images are warped into.
 class WarpBuffer {
  public:
   /// `scratch`: working memory that many buffers may share; without it the buffer has its own.
