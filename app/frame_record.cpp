@@ -18,7 +18,6 @@ using V = std::optional<double>;
 constexpr std::array<FrameColumn, 16> kColumns = {{
     {"frametime_ms", "frame_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.frametime_ms; }},
     {"cull_ms", "cull_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.cull_ms; }},
-    {"capture_ms", "capture_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.capture_ms; }},
     {"warp_ms", "warp_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.warp_ms; }},
     {"composite_ms", "composite_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.composite_ms; }},
     {"draw_ms", "draw_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.draw_ms; }},
@@ -37,6 +36,7 @@ constexpr std::array<FrameColumn, 16> kColumns = {{
      [](R r) -> V { return r.quality ? V(r.quality->differing_percent) : V(); }},
     {"uncovered_percent", "uncovered_percent", 5, Tail::kHigh,
      [](R r) -> V { return r.cost.uncovered_percent; }},
+    {"capture_ms", "capture_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.capture_ms; }},
 }};
 
 }  // namespace

@@ -12,10 +12,9 @@ namespace enfilade {
 
 /// What a frame took and what went into it.  Empty: the method has no such thing.
 struct FrameCost {
-  double frametime_ms = 0;           ///< from the pose to the last pixel, reading back not counted
-  std::optional<double> cull_ms;     ///< finding what can be seen
-  std::optional<double> capture_ms;  ///< making an image on demand
-  std::optional<double> warp_ms;     ///< warping images
+  double frametime_ms = 0;        ///< from the pose to the last pixel, reading back not counted
+  std::optional<double> cull_ms;  ///< finding what can be seen
+  std::optional<double> warp_ms;  ///< warping images
   std::optional<double> composite_ms;    ///< handing the warped pictures over to be drawn
   std::optional<double> draw_ms;         ///< drawing geometry and waiting for the last pixel
   std::optional<std::size_t> triangles;  ///< drawn
@@ -25,6 +24,7 @@ struct FrameCost {
   std::optional<std::size_t> samples;          ///< warped
   std::optional<std::size_t> samples_clipped;  ///< of the images, left out before warping
   std::optional<double> uncovered_percent;     ///< of the frame's pixels: no sample fell there
+  std::optional<double> capture_ms{};          ///< making an image on demand
 };
 
 /// A row of frames.csv.

@@ -6,6 +6,8 @@
 #include <cstring>
 
 #include "app/frame_painter.h"
+#include "ibr/convex_region.h"
+#include "portals/polygon.h"
 #include "preprocess/bake_images.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/app/two_room_house.h"
@@ -26,7 +28,7 @@ ImageParameters parametersForAll() {
   return parameters;
 }
 
-/// Every box in a colour of its own; images are shown beyond 1.2 m, nearer than the viewpoints.
+/// Every box in a colour of its own; images are shown beyond 0.4 m, nearer than any viewpoint.
 House colouredHouse() {
   House house = twoRoomHouse();
   Building& building = house.building;
@@ -35,11 +37,12 @@ House colouredHouse() {
     const auto share = static_cast<float>(i) / static_cast<float>(building.meshes.size());
     Material material;
     material.unlit = true;
+    material.double_sided = true;
     material.base_color = {0.2f + 0.7f * share, 0.9f - 0.6f * share, i % 2 == 0 ? 0.3f : 0.7f, 1};
     building.meshes[i].material = static_cast<std::uint32_t>(building.materials.size());
     building.materials.push_back(material);
   }
-  house.switch_distance = 1.2f;
+  house.switch_distance = 0.4f;
   house.info.parameters = imageParameterTexts(parametersForAll());
   return house;
 }
@@ -105,35 +108,51 @@ TEST_F(ImagesTest, FromItsViewpointAnImageShowsWhatGeometryShows) {
     const Camera camera = cameraAt(front().texture_fan.viewpoints()[i]);
     const Image truth = painted(painter, Method::kGeometry, camera);
     EXPECT_GT(psnr(painted(painter, Method::kTexture, camera), truth), 28) << i;
-    writePng("/tmp/im/t"+std::to_string(i)+".png", painted(painter, Method::kTexture, camera));
-    writePng("/tmp/im/g"+std::to_string(i)+".png", truth);
   }
-  for (const glm::dvec3& at : front().reference_fan.viewpoints()) {
-    const Camera camera = cameraAt(at);
+  for (std::size_t i = 0; i < front().reference_fan.size(); ++i) {
+    const Camera camera = cameraAt(front().reference_fan.viewpoints()[i]);
     const Image truth = painted(painter, Method::kGeometry, camera);
-    EXPECT_GT(psnr(painted(painter, Method::kWarp, camera), truth), 28);
-    // Elsewhere a texture does not move as the room does.
-    const Image shifted = painted(painter, Method::kTexture, camera);
-    EXPECT_LT(psnr(shifted, truth), psnr(painted(painter, Method::kWarp, camera), truth));
+    const double warped = psnr(painted(painter, Method::kWarp, camera), truth);
+    EXPECT_GT(warped, 28) << i;
+    // Between its viewpoints a texture does not move as the room does.
+    if (i == 0 || i + 1 == front().reference_fan.size()) continue;
+    EXPECT_LT(psnr(painted(painter, Method::kTexture, camera), truth), warped) << i;
   }
 }
 
 TEST_F(ImagesTest, ATextureShowsOnlyWithinItsPortal) {
-  // The same doorway, cut to a triangle: beside it the wall behind is what it was.
+  // The same doorway cut to a triangle, and its textures in a colour that nothing else has.
   House cut = *house_;
-  std::vector<glm::vec3>& polygon = cut.graph.portals[0].polygon;
-  polygon.resize(3);
-  FramePainter painter(*gl_, cut, *baked_, kWidth, kHeight, 1);
-  const Camera camera = cameraAt(front().texture_fan.viewpoints()[2]);
-  const Image half = painted(painter, Method::kTexture, camera);
-  FramePainter whole_painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
-  const Image whole = painted(whole_painter, Method::kTexture, camera);
-  std::size_t sky = 0, sky_of_whole = 0;
-  for (std::size_t i = 0; i < half.rgba.size(); i += 4) {
-    sky += std::equal(kSkyColor, kSkyColor + 3, &half.rgba[i]);
-    sky_of_whole += std::equal(kSkyColor, kSkyColor + 3, &whole.rgba[i]);
+  Portal& portal = cut.graph.portals[0];
+  portal.polygon.resize(3);
+  PortalImages images = *baked_;
+  for (Image& texture : images.side(0, true).textures) {
+    for (std::size_t i = 0; i < texture.rgba.size(); ++i) texture.rgba[i] = i % 4 == 1 ? 0 : 255;
   }
-  EXPECT_GT(sky, sky_of_whole + 500);
+  FramePainter painter(*gl_, cut, images, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[2]);
+  const Image picture = painted(painter, Method::kTexture, camera);
+
+  const PlanarCamera planar = planarCamera(camera, kWidth, kHeight);
+  std::vector<glm::vec2> outline;
+  for (const glm::vec3& corner : grownPolygon(portal.polygon, portal.plane, 0.03f)) {
+    outline.emplace_back(projectPoint(planar, glm::dvec3(corner)));
+  }
+  std::vector<glm::ivec2> spans(kHeight, glm::ivec2(0));
+  fillConvexPolygon(outline, kWidth, kHeight, spans);
+  int within = 0, shown = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    const glm::ivec2 span = spans[static_cast<std::size_t>(y)];
+    within += span.y - span.x;
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * kWidth + x)];
+      const bool texture = rgba[0] == 255 && rgba[1] == 0 && rgba[2] == 255;
+      shown += texture;
+      EXPECT_TRUE(!texture || (x >= span.x && x < span.y)) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(shown, within * 8 / 10);
 }
 
 TEST_F(ImagesTest, AMethodReportsWhatItsImagesCost) {
@@ -166,7 +185,7 @@ TEST_F(ImagesTest, OnDemandBecomesTheBakedPictureOneCaptureAFrame) {
     }
     for (int i = 1; i < frames; ++i) picture = painted(painter, method, camera);
     EXPECT_EQ(picture.rgba, painted(baked, method, camera).rgba) << infoOf(method).name;
-    EXPECT_NE(picture.rgba, geometry.rgba);
+    EXPECT_LT(psnr(picture, geometry), 100) << infoOf(method).name;
     EXPECT_EQ(painted(painter, method, camera).rgba, picture.rgba);
   }
 }
@@ -210,14 +229,16 @@ TEST_F(ImageMakerTest, MakesTheBakedImagesAtMostOneAFrame) {
       const SideImages& mine = maker.images().side(0, from_front);
       const SideImages& theirs = std::as_const(*baked_).side(0, from_front);
       for (std::size_t i = 0; i < mine.textures.size(); ++i) {
-        if (mine.hasTexture(i)) EXPECT_EQ(mine.textures[i].rgba, theirs.textures[i].rgba);
+        if (!mine.hasTexture(i)) continue;
+        EXPECT_EQ(mine.textures[i].rgba, theirs.textures[i].rgba);
       }
       const auto expectSame = [](const Ldi& a, const Ldi& b) {
         ASSERT_EQ(a.samples.size(), b.samples.size());
         EXPECT_EQ(std::memcmp(a.samples.data(), b.samples.data(), 8 * a.samples.size()), 0);
       };
       for (std::size_t i = 0; i < mine.references.size(); ++i) {
-        if (mine.hasReference(i)) expectSame(mine.references[i], theirs.references[i]);
+        if (!mine.hasReference(i)) continue;
+        expectSame(mine.references[i], theirs.references[i]);
       }
       if (mine.has(ImageKind::kLdi)) expectSame(mine.ldi, theirs.ldi);
     }
@@ -227,14 +248,14 @@ TEST_F(ImageMakerTest, MakesTheBakedImagesAtMostOneAFrame) {
 TEST_F(ImageMakerTest, NothingIsMadeForAPortalThatShowsGeometry) {
   ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_);
   Camera near = walkBeforeTheDoorway().front();
-  near.pose = lookAt({3.4f, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
+  near.pose = lookAt({3.75f, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
   EXPECT_FALSE(maker.makeOne(seen(near), near.pose.position));
   EXPECT_EQ(maker.bytes(), 0u);
 }
 
 TEST_F(ImageMakerTest, WhatIsKeptIsBoundedAndTheSideSeenLastStays) {
   // Room for one side's textures, not for two.
-  const std::size_t most = 6 * front().textures[0].rgba.size();
+  const std::size_t most = 4 * front().textures[0].rgba.size();
   ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_, most);
   std::vector<Camera> walk = walkBeforeTheDoorway();
   for (Camera camera : walkBeforeTheDoorway()) {  // and in the other room
