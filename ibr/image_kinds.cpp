@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "scene/error.h"
 
@@ -31,10 +30,9 @@ std::string imageKindNames(const ImageKinds& kinds) {
 
 ImageKinds parseImageKinds(const std::string& list) {
   ImageKinds kinds{false, false, false};
-  const std::string_view all = list;
-  for (std::size_t first = 0; first <= all.size();) {
-    const std::string_view name = all.substr(first, all.find(',', first) - first);
-    first += name.size() + 1;
+  for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {
+    end = list.find(',', at);
+    const std::string name = list.substr(at, end - at);
     const auto* const named =
         std::find_if(kKindNames.begin(), kKindNames.end(),
                      [&](const NamedKind& known) { return name == known.name; });

@@ -11,7 +11,6 @@ namespace enfilade {
 /// through the portal.
 class PortalLdi {
  public:
-  /// `portal` must outlive it.
   PortalLdi(const Portal& portal, bool from_front, float eye_y, const ImageParameters& parameters);
 
   std::size_t captures() const noexcept { return viewpoints_.size(); }  ///< in all
@@ -26,7 +25,7 @@ class PortalLdi {
   Ldi finish() const;
 
  private:
-  const Portal& portal_;
+  Portal portal_;
   bool from_front_;
   ImageParameters parameters_;
   std::vector<glm::dvec3> viewpoints_;

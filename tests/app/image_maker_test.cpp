@@ -6,6 +6,8 @@
 #include <cstring>
 
 #include "app/frame_painter.h"
+#include "ibr/convex_region.h"
+#include "portals/polygon.h"
 #include "preprocess/bake_images.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/app/two_room_house.h"
@@ -25,7 +27,7 @@ ImageParameters parametersForAll() {
   return parameters;
 }
 
-/// Every box in a colour of its own; images are shown beyond 0.8 m, nearer than any viewpoint.
+/// Every box in a colour of its own; images are shown beyond 0.4 m, nearer than any viewpoint.
 House colouredHouse() {
   House house = twoRoomHouse();
   Building& building = house.building;
@@ -34,11 +36,12 @@ House colouredHouse() {
     const auto share = static_cast<float>(i) / static_cast<float>(building.meshes.size());
     Material material;
     material.unlit = true;
+    material.double_sided = true;
     material.base_color = {0.2f + 0.7f * share, 0.9f - 0.6f * share, i % 2 == 0 ? 0.3f : 0.7f, 1};
     building.meshes[i].material = static_cast<std::uint32_t>(building.materials.size());
     building.materials.push_back(material);
   }
-  house.switch_distance = 0.8f;
+  house.switch_distance = 0.4f;
   house.info.parameters = imageParameterTexts(parametersForAll());
   return house;
 }
@@ -105,42 +108,50 @@ TEST_F(ImagesTest, FromItsViewpointAnImageShowsWhatGeometryShows) {
     const Image truth = painted(painter, Method::kGeometry, camera);
     EXPECT_GT(psnr(painted(painter, Method::kTexture, camera), truth), 28) << i;
   }
-  for (const glm::dvec3& at : front().reference_fan.viewpoints()) {
-    const Camera camera = cameraAt(at);
+  for (std::size_t i = 0; i < front().reference_fan.size(); ++i) {
+    const Camera camera = cameraAt(front().reference_fan.viewpoints()[i]);
     const Image truth = painted(painter, Method::kGeometry, camera);
-    EXPECT_GT(psnr(painted(painter, Method::kWarp, camera), truth), 28);
-    // From farther away a texture does not shrink as the room does.
-    const Camera away = cameraAt(at + glm::dvec3(1.2, 0, 0));
-    const Image truth_away = painted(painter, Method::kGeometry, away);
-    EXPECT_LT(psnr(painted(painter, Method::kTexture, away), truth_away),
-              psnr(painted(painter, Method::kWarp, away), truth_away));
+    const double warped = psnr(painted(painter, Method::kWarp, camera), truth);
+    EXPECT_GT(warped, 28) << i;
+    // Between its viewpoints a texture does not move as the room does.
+    if (i == 0 || i + 1 == front().reference_fan.size()) continue;
+    EXPECT_LT(psnr(painted(painter, Method::kTexture, camera), truth), warped) << i;
   }
 }
 
 TEST_F(ImagesTest, ATextureShowsOnlyWithinItsPortal) {
-  // The doorway cut to a triangle, half of it; its texture in one colour that nothing else has.
-  PortalImages images(*house_, here_->path(), {true, false, false});
+  // The same doorway cut to a triangle, and its textures in a colour that nothing else has.
+  House cut = *house_;
+  Portal& portal = cut.graph.portals[0];
+  portal.polygon.resize(3);
+  PortalImages images = *baked_;
   for (Image& texture : images.side(0, true).textures) {
-    for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
-      texture.rgba[i] = texture.rgba[i + 2] = 255;
-      texture.rgba[i + 1] = 0;
+    for (std::size_t i = 0; i < texture.rgba.size(); ++i) texture.rgba[i] = i % 4 == 1 ? 0 : 255;
+  }
+  FramePainter painter(*gl_, cut, images, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[2]);
+  const Image picture = painted(painter, Method::kTexture, camera);
+
+  const PlanarCamera planar = planarCamera(camera, kWidth, kHeight);
+  std::vector<glm::vec2> outline;
+  for (const glm::vec3& corner : grownPolygon(portal.polygon, portal.plane, 0.03f)) {
+    outline.emplace_back(projectPoint(planar, glm::dvec3(corner)));
+  }
+  std::vector<glm::ivec2> spans(kHeight, glm::ivec2(0));
+  fillConvexPolygon(outline, kWidth, kHeight, spans);
+  int within = 0, shown = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    const glm::ivec2 span = spans[static_cast<std::size_t>(y)];
+    within += span.y - span.x;
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * kWidth + x)];
+      const bool texture = rgba[0] == 255 && rgba[1] == 0 && rgba[2] == 255;
+      shown += texture;
+      EXPECT_TRUE(!texture || (x >= span.x && x < span.y)) << x << ", " << y;
     }
   }
-  const Camera camera = cameraAt(front().texture_fan.viewpoints()[2]);
-  const auto magentaIn = [&](const House& house) {
-    FramePainter painter(*gl_, house, images, kWidth, kHeight, 1);
-    const Image picture = painted(painter, Method::kTexture, camera);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-      count += picture.rgba[i] == 255 && picture.rgba[i + 1] == 0 && picture.rgba[i + 2] == 255;
-    }
-    return static_cast<double>(count);
-  };
-  House cut = *house_;
-  cut.graph.portals[0].polygon.resize(3);
-  const double whole = magentaIn(*house_);
-  EXPECT_GT(whole, 1000);
-  EXPECT_NEAR(magentaIn(cut), 0.5 * whole, 0.1 * whole);
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(shown, within * 8 / 10);
 }
 
 TEST_F(ImagesTest, AMethodReportsWhatItsImagesCost) {
@@ -173,7 +184,7 @@ TEST_F(ImagesTest, OnDemandBecomesTheBakedPictureOneCaptureAFrame) {
     }
     for (int i = 1; i < frames; ++i) picture = painted(painter, method, camera);
     EXPECT_EQ(picture.rgba, painted(baked, method, camera).rgba) << infoOf(method).name;
-    EXPECT_NE(picture.rgba, geometry.rgba);
+    EXPECT_LT(psnr(picture, geometry), 100) << infoOf(method).name;
     EXPECT_EQ(painted(painter, method, camera).rgba, picture.rgba);
   }
 }
@@ -225,7 +236,8 @@ TEST_F(ImageMakerTest, MakesTheBakedImagesAtMostOneAFrame) {
         EXPECT_EQ(std::memcmp(a.samples.data(), b.samples.data(), 8 * a.samples.size()), 0);
       };
       for (std::size_t i = 0; i < mine.references.size(); ++i) {
-        if (mine.hasReference(i)) expectSame(mine.references[i], theirs.references[i]);
+        if (!mine.hasReference(i)) continue;
+        expectSame(mine.references[i], theirs.references[i]);
       }
       if (mine.has(ImageKind::kLdi)) expectSame(mine.ldi, theirs.ldi);
     }
@@ -235,14 +247,14 @@ TEST_F(ImageMakerTest, MakesTheBakedImagesAtMostOneAFrame) {
 TEST_F(ImageMakerTest, NothingIsMadeForAPortalThatShowsGeometry) {
   ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_);
   Camera near = walkBeforeTheDoorway().front();
-  near.pose = lookAt({3.4f, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
+  near.pose = lookAt({3.75f, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
   EXPECT_FALSE(maker.makeOne(seen(near), near.pose.position));
   EXPECT_EQ(maker.bytes(), 0u);
 }
 
 TEST_F(ImageMakerTest, WhatIsKeptIsBoundedAndTheSideSeenLastStays) {
   // Room for one side's textures, not for two.
-  const std::size_t most = 5 * front().textures[0].rgba.size();
+  const std::size_t most = 4 * front().textures[0].rgba.size();
   ImageMaker maker(infoOf(Method::kTexture), *house_, objects_, renderer_, most);
   std::vector<Camera> walk = walkBeforeTheDoorway();
   for (Camera camera : walkBeforeTheDoorway()) {  // and in the other room
