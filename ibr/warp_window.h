@@ -8,7 +8,7 @@ namespace enfilade {
 
 /// Rules of the splats that go by a sample's footprint.
 struct FootprintRules {
-  static constexpr float kScale = 1.15f;          ///< patches are made this much larger
+  static constexpr float kScale = 1.17f;         ///< patches are made this much larger
   static constexpr float kLeastHalf = 0.5f;      ///< [pixels] of a patch, however small it appears
   static constexpr float kGreatestHalf = 16.0f;  ///< [pixels]
   static constexpr float kSameSurface = 1.03f;   ///< ratio of disparities within one surface
