@@ -30,7 +30,7 @@ struct PlayOptions {
   std::string size = "640x512";
   float fov_degrees = 0;  ///< 0: the path's own
   int threads = 0;
-  Warping warping;
+  WarpingNames warping;
   PlaybackParameters playback;
 };
 
@@ -135,6 +135,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   options.playback.methods = parseMethods(options.methods);
   const glm::ivec2 size = parseSize(options.size);
   const ImageSource source = parseImageSource(options.images);
+  const Warping warping = parseWarping(options.warping);
   const House house = readHouse(options.house);
   const CameraPath path = pathFor(options, house, context.quiet);
   const PortalImages images = loadImages(options, house, source);
@@ -147,7 +148,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   }
   const std::unique_ptr<GlContext> gl = createOsMesaContext(options.threads);
   FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
-  painter.setWarping(options.warping);
+  painter.setWarping(warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
   const Camera camera = walkingCamera(house, fov, size.x, size.y);
 

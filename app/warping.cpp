@@ -2,48 +2,74 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include "scene/error.h"
 
 namespace enfilade {
 
 namespace {
 
-/// An option whose values are names; the first is the default.
 template <class T>
-void addChoice(CLI::App& command, const char* name, T& value,
-               const std::map<std::string, T>& values, const std::string& standard,
-               const std::string& help) {
-  command.add_option(name, value, help)
+struct Choice {
+  T value;
+  std::string name, description;
+};
+
+template <class T>
+using Choices = std::vector<Choice<T>>;
+
+Choices<Splat> splats() {
+  Choices<Splat> choices;
+  for (const SplatInfo& s : allSplats()) choices.push_back({s.splat, s.name, s.description});
+  return choices;
+}
+
+Choices<Holes> holes() {
+  Choices<Holes> choices;
+  for (const HolesInfo& h : allHoles()) choices.push_back({h.holes, h.name, h.description});
+  return choices;
+}
+
+Choices<Clip> clips() {
+  return {{Clip::kNothing, "none", "nothing"},
+          {Clip::kColumns, "columns", "columns of tiles, recursively"},
+          {Clip::kTiles, "tiles", "each tile by itself"}};
+}
+
+template <class T>
+void addChoice(CLI::App& command, const char* option, std::string& name, const Choices<T>& choices,
+               std::string help) {
+  for (const Choice<T>& choice : choices) {
+    help += fmt::format("{} {} ({})", &choice == &choices.front() ? "" : ",", choice.name,
+                        choice.description);
+  }
+  command.add_option(option, name, help)
       ->type_name("NAME")
-      ->transform(CLI::CheckedTransformer(values).description(""))
-      ->default_str(standard)
+      ->capture_default_str()
       ->group("Warping");
+}
+
+template <class T>
+T parse(const std::string& option, const std::string& name, const Choices<T>& choices) {
+  std::string names;
+  for (const Choice<T>& choice : choices) {
+    if (choice.name == name) return choice.value;
+    names += (names.empty() ? "" : ", ") + choice.name;
+  }
+  throw Error(ErrorKind::kUsage, option + " " + name, "no such choice; there are: " + names);
 }
 
 }  // namespace
 
-void addWarpingOptions(CLI::App& command, Warping& warping) {
-  std::map<std::string, Splat> splats;
-  std::string splats_help = "How pixels are made of warped samples:";
-  for (const SplatInfo& info : allSplats()) {
-    splats[info.name] = info.splat;
-    splats_help += fmt::format(" {} ({}),", info.name, info.description);
-  }
-  splats_help.back() = '.';
-  std::map<std::string, Holes> holes;
-  std::string holes_help = "What stands where no sample fell:";
-  for (const HolesInfo& info : allHoles()) {
-    holes[info.name] = info.holes;
-    holes_help += fmt::format(" {} ({}),", info.name, info.description);
-  }
-  holes_help.back() = '.';
-  addChoice(command, "--splat", warping.splat, splats, infoOf(warping.splat).name, splats_help);
-  addChoice(command, "--holes", warping.holes, holes, "none", holes_help);
-  addChoice<Clip>(command, "--clip", warping.clip,
-                  {{"none", Clip::kNothing}, {"columns", Clip::kColumns}, {"tiles", Clip::kTiles}},
-                  "tiles",
-                  "What is left out before warping, for the same picture: none, columns (of tiles, "
-                  "recursively), tiles.");
+void addWarpingOptions(CLI::App& command, WarpingNames& names) {
+  addChoice(command, "--splat", names.splat, splats(), "How pixels are made of warped samples:");
+  addChoice(command, "--holes", names.holes, holes(), "What stands where no sample fell:");
+  addChoice(command, "--clip", names.clip, clips(),
+            "What is left out before the warp, for the same picture:");
+}
+
+Warping parseWarping(const WarpingNames& names) {
+  return {parse("--splat", names.splat, splats()), parse("--holes", names.holes, holes()),
+          parse("--clip", names.clip, clips())};
 }
 
 }  // namespace enfilade

@@ -15,7 +15,15 @@ struct Warping {
   Clip clip = Clip::kTiles;
 };
 
-/// Adds --splat, --holes and --clip, which set `warping`.
-void addWarpingOptions(CLI::App& command, Warping& warping);
+/// The same as it is named on the command line.
+struct WarpingNames {
+  std::string splat = "mean", holes = "none", clip = "tiles";
+};
+
+/// Adds --splat, --holes and --clip, which set `names`.
+void addWarpingOptions(CLI::App& command, WarpingNames& names);
+
+/// Throws Error (kUsage) for a name that is none, saying which there are.
+Warping parseWarping(const WarpingNames& names);
 
 }  // namespace enfilade

@@ -154,6 +154,16 @@ TEST_F(BadInput, ASizeThatIsNone) {
   }
 }
 
+TEST_F(BadInput, AWayOfWarpingThatThereIsNot) {
+  const std::pair<const char*, const char*> bad[] = {
+      {"--splat", "3x3, cross"}, {"--holes", "none, persist"}, {"--clip", "none, columns, tiles"}};
+  for (const auto& [option, there_are] : bad) {
+    expectRefusal({"play", "house", "-o", "new", option, "magic"}, 1,
+                  std::string(option) + " magic: no such choice");
+    expectRefusal({"play", "house", "-o", "new", option, "magic"}, 1, there_are);
+  }
+}
+
 TEST_F(BadInput, ASampleThatThereIsNot) {
   expectRefusal({"sample", "palace", "-o", "new.glb"}, 1, "gallery");
   expectRefusal({"sample", "gallery", "-o", "new.glb", "--triangles", "7"}, 1, "7 is not from");

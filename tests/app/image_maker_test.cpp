@@ -154,6 +154,39 @@ TEST_F(ImagesTest, ATextureShowsOnlyWithinItsPortal) {
   EXPECT_GT(shown, within * 8 / 10);
 }
 
+TEST_F(ImagesTest, ClippingChangesNoPixelAndSplatsAndFillingDo) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 2);
+  Camera camera = cameraAt(front().reference_fan.viewpoints()[2] + glm::dvec3(0.3, 0.1, 0));
+  camera.vertical_fov = 0.5f;  // so near that single pixels leave gaps
+  const auto paintedBy = [&](const WarpingNames& names) {
+    painter.setWarping(parseWarping(names));
+    return painted(painter, Method::kWarp, camera);
+  };
+  const Image usual = paintedBy({});
+  EXPECT_EQ(paintedBy({.clip = "none"}).rgba, usual.rgba);
+  EXPECT_EQ(paintedBy({.clip = "columns"}).rgba, usual.rgba);
+  const Image pierced = paintedBy({.splat = "1x1"});
+  EXPECT_NE(pierced.rgba, usual.rgba);
+  EXPECT_NE(paintedBy({.splat = "1x1", .holes = "inpaint"}).rgba, pierced.rgba);
+}
+
+TEST_F(ImagesTest, HolesAreCountedTheSameHoweverTheyAreFilled) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  Camera camera = cameraAt(front().reference_fan.viewpoints()[2] + glm::dvec3(0.3, 0.1, 0));
+  camera.vertical_fov = 0.5f;  // so near that single pixels leave gaps
+  std::vector<double> uncovered;
+  for (const char* holes : {"none", "inpaint", "persist"}) {
+    painter.setWarping(parseWarping({.splat = "1x1", .holes = holes}));
+    painter.paint(Method::kWarp, camera);
+    PortalMask mask;
+    painter.readPortalMask(mask);
+    uncovered.push_back(painter.uncoveredPercent(mask));
+  }
+  EXPECT_GT(uncovered[0], 0.1);
+  EXPECT_EQ(uncovered[1], uncovered[0]);
+  EXPECT_EQ(uncovered[2], uncovered[0]);
+}
+
 TEST_F(ImagesTest, AMethodReportsWhatItsImagesCost) {
   FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
   const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
