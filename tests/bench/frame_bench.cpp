@@ -34,19 +34,19 @@ std::string houseFolder() {
 
 /// What all methods share.
 struct Walk {
-  Walk() : folder(houseFolder()), house(readHouse(folder)), images(house, folder) {
+  Walk() {
     TourParameters parameters;
     parameters.frames = 60;
     path = makeTour(house, parameters).path;
-    context = createOsMesaContext(bench::threads());
     painter =
         std::make_unique<FramePainter>(*context, house, images, kWidth, kHeight, bench::threads());
   }
-  std::string folder;
-  House house;
-  PortalImages images;
+  // Before anything is baked: the first context of a process decides how many threads draw.
+  std::unique_ptr<GlContext> context = createOsMesaContext(bench::threads());
+  std::string folder = houseFolder();
+  House house = readHouse(folder);
+  PortalImages images{house, folder};
   CameraPath path;
-  std::unique_ptr<GlContext> context;
   std::unique_ptr<FramePainter> painter;
 };
 

@@ -39,6 +39,7 @@ struct Scene {
   float threshold = 0;
 
   Scene() {
+    parameters.image_size = 269;  // of a portal 2.1 m high: 256 and its margin for this one
     for (const glm::dvec3& at : captureViewpoints(portal, true, 1.6f, parameters)) {
       cameras.push_back(portalCamera(portal, true, at, parameters));
     }
