@@ -15,6 +15,7 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
+#ifndef __SANITIZE_ADDRESS__  // which has allocators of its own, also in libraries
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) {
@@ -24,6 +25,7 @@ std::atomic<std::size_t> allocations{0};
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
 
 namespace enfilade {
 namespace {
