@@ -233,8 +233,7 @@ void addPlayCommand(CLI::App& program, CommandContext& context) {
   auto options = std::make_shared<PlayOptions>();
   CLI::App* command =
       addCommand(program, "play", "Play a walk by several methods and report what each frame took",
-                 "enfilade play house --methods texture,warp,warp2,ldi,culling,geometry,raycast "
-                 "--quality -o report",
+                 "enfilade play house --methods geometry,raycast,culling,ldi --quality -o report",
                  context.quiet);
   command->footer(command->get_footer() + methodsHelp());
   command->add_option("HOUSE", options->house, "A folder that 'enfilade preprocess' made")
