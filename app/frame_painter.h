@@ -22,8 +22,8 @@ enum class ImageSource : std::uint8_t { kBaked, kOnDemand };
 /// pose, run after run; on demand, for the same walk since prepare().
 class FramePainter {
  public:
-  /// `threads`: of the ray caster, 0: as many as the machine has.  `images`: the baked ones, not
-  /// used on demand.  All must outlive the painter.  Throws Error (kMachine).
+  /// `threads`: of the ray caster and the warp, 0: as many as the machine has.  `images`: the baked
+  /// ones, not used on demand.  All must outlive the painter.  Throws Error (kMachine).
   FramePainter(GlContext& context, const House& house, const PortalImages& images, int width,
                int height, int threads, ImageSource source = ImageSource::kBaked);
 
