@@ -111,8 +111,7 @@ ContactSheet makeContactSheet(FramePainter& painter, const CameraPath& path, con
   const int shrink = (longest + kSheetGreatestCell - 1) / kSheetGreatestCell;
   std::vector<std::vector<Image>> rows;
   for (const std::size_t frame : frames) {
-    Camera placed = camera;
-    placed.pose = path.poses[frame].pose;
+    const Camera placed = cameraAt(path, frame, camera);
     ContactSheet::Row row{frame, {}};
     std::vector<Image> pictures;
     Image truth, picture;

@@ -26,9 +26,7 @@ FramePainter::FramePainter(GlContext& context, const House& house, const PortalI
 
 void FramePainter::buildRays() {
   if (rays_) return;
-  std::vector<std::uint8_t> hidden;
-  for (const ObjectRole role : house_.object_roles) hidden.push_back(role == ObjectRole::kDoor);
-  rays_ = std::make_unique<RayCaster>(house_.building, hidden, threads_);
+  rays_ = std::make_unique<RayCaster>(house_.building, doorFlags(house_.object_roles), threads_);
 }
 
 void FramePainter::prepare(Method method) {

@@ -65,7 +65,7 @@ std::size_t ImageMaker::bytes() const noexcept {
 }
 
 ImageMaker::Side& ImageMaker::sideOf(const VisiblePortal& visible) {
-  return sides_[2 * static_cast<std::size_t>(visible.portal) + (visible.from_front ? 0 : 1)];
+  return sides_[sideIndex(visible.portal, visible.from_front)];
 }
 
 bool ImageMaker::lacks(const VisiblePortal& visible, const glm::vec3& eye) {

@@ -6,12 +6,6 @@ namespace enfilade {
 
 namespace {
 
-Camera at(const Camera& camera, const TimedPose& timed) {
-  Camera placed = camera;
-  placed.pose = timed.pose;
-  return placed;
-}
-
 void report(const ProgressSink& progress, const std::string& stage, std::size_t done,
             std::size_t total) {
   if (progress) progress(stage, static_cast<double>(done) / static_cast<double>(total));
@@ -24,9 +18,9 @@ void timeFrames(FramePainter& painter, Method method, const CameraPath& path, co
   const std::size_t frames = path.poses.size();
   report(progress, stage, 0, frames);
   painter.prepare(method);
-  for (int i = 0; i < warm_up; ++i) painter.paint(method, at(camera, path.poses.front()));
+  for (int i = 0; i < warm_up; ++i) painter.paint(method, cameraAt(path, 0, camera));
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    records.push_back({method, frame, painter.paint(method, at(camera, path.poses[frame]))});
+    records.push_back({method, frame, painter.paint(method, cameraAt(path, frame, camera))});
     report(progress, stage, frame + 1, frames);
   }
 }

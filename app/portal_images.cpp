@@ -18,10 +18,6 @@ bool exists(const std::string& file) {
   return std::filesystem::exists(file, ignored);
 }
 
-std::size_t sideIndex(PortalId portal, bool from_front) {
-  return 2 * static_cast<std::size_t>(portal) + (from_front ? 0 : 1);
-}
-
 /// Reads image i into images[i] by read(file); all are there, or none.
 template <class Images, class Read>
 void readFan(const std::string& folder, std::string (*file_name)(std::size_t), Images& images,

@@ -7,14 +7,6 @@
 
 namespace enfilade {
 
-/// A portal as seen from one of its sides.
-struct PortalSide {
-  PortalId portal = 0;
-  bool from_front = true;  ///< the eye is on the front cell's side
-
-  bool operator==(const PortalSide& other) const = default;
-};
-
 /// A portal side that a frame sees, and what the frame shows there.
 struct SeenPortal {
   PortalSide side;

@@ -97,11 +97,7 @@ WarpCounts PortalPictures::warpRound(const PlanarCamera& desired, std::size_t ro
   }
   warpJobs(jobs_, desired, {warping_.splat, warping_.clip, &team_});
   WarpCounts sum;
-  for (const WarpJob& job : jobs_) {
-    sum.samples += job.counts.samples;
-    sum.samples_clipped += job.counts.samples_clipped;
-    sum.pixels_uncovered += job.counts.pixels_uncovered;
-  }
+  for (const WarpJob& job : jobs_) sum += job.counts;
   return sum;
 }
 
@@ -113,12 +109,7 @@ void PortalPictures::warpAll(Method method, const Camera& camera, FrameCost& cos
     rounds = std::max(rounds, pictures_[i].regions.size());
   }
   WarpCounts sum;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    const WarpCounts counts = warpRound(desired, round);
-    sum.samples += counts.samples;
-    sum.samples_clipped += counts.samples_clipped;
-    sum.pixels_uncovered += counts.pixels_uncovered;
-  }
+  for (std::size_t round = 0; round < rounds; ++round) sum += warpRound(desired, round);
   cost.samples = sum.samples;
   cost.samples_clipped = sum.samples_clipped;
   cost.uncovered_percent =
@@ -174,8 +165,8 @@ void PortalPictures::drawTexture(const Picture& picture, const Camera& camera,
   const auto [id, from_front] = std::pair(picture.portal->portal, picture.portal->from_front);
   const Portal& portal = house_.graph.portals[id];
   const std::vector<glm::vec3> polygon = screenPolygonOf(portal).polygon;
-  const std::uint64_t key = 1 + kMostViewpoints * (2 * std::uint64_t{id} + (from_front ? 0 : 1)) +
-                            picture.chosen.texture_index;
+  const std::uint64_t key =
+      1 + kMostViewpoints * sideIndex(id, from_front) + picture.chosen.texture_index;
   renderer.drawTexturedPolygon(polygon,
                                textureCoordinates(portal, from_front, texture_margin_, polygon),
                                *picture.chosen.texture, camera.clipFromWorld(), key);

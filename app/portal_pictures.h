@@ -23,8 +23,7 @@ ScreenPolygon screenPolygonOf(const Portal& portal);
 /// Source: Rafferty, Aliaga, Popescu & Lastra 1998, sec. 3 and 4.
 class PortalPictures {
  public:
-  /// `house` must outlive it.
-  /// `threads`: that warp, 0: as many as the machine has.
+  /// `house` must outlive it.  `threads`: that warp, 0: as many as the machine has.
   PortalPictures(const House& house, int width, int height, int threads);
 
   /// How images are warped from now on.

@@ -57,11 +57,7 @@ class Comparison {
     return all;
   }
 
-  Camera at(std::size_t frame) const {
-    Camera placed = camera_;
-    placed.pose = path_.poses[frame].pose;
-    return placed;
-  }
+  Camera at(std::size_t frame) const { return cameraAt(path_, frame, camera_); }
 
  private:
   void measureJumps(std::size_t m, Method method, const std::vector<PortalSwitch>& switches) {

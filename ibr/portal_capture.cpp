@@ -31,16 +31,13 @@ DepthImage captureThroughPortal(Renderer& renderer, const PlanarCamera& camera,
 
 namespace {
 
-/// Of what is seen past the portal's edge much is the wall's inside: it yields to what is seen
-/// through the portal.
-constexpr float kDoubtBesideThePortal = 1e4f;
-
 void doubtBesidePortal(CaptureSamples& capture, const Portal& portal) {
   const std::vector<glm::ivec2> through = pixelsThrough(portal.polygon, capture.camera);
   for (CaptureSample& s : capture.samples) {
     const glm::ivec2 span = through[static_cast<std::size_t>(s.v)];
     const int column = static_cast<int>(s.u);
-    s.doubt = span.x <= column && column < span.y ? 1.0f : kDoubtBesideThePortal;
+    s.doubt =
+        span.x <= column && column < span.y ? 1.0f : static_cast<float>(kDoubtBesideThePortal);
   }
 }
 

@@ -26,4 +26,13 @@ PortalFrame portalFrame(const Portal& portal, bool from_front) {
   return frame;
 }
 
+glm::dvec3 levelAhead(const PortalFrame& frame) {
+  return glm::cross(frame.right, glm::dvec3(0, 1, 0));
+}
+
+bool standsBefore(const PortalFrame& frame, const glm::dvec3& viewpoint) {
+  constexpr double kNearest = 0.05;  // [m]
+  return glm::dot(viewpoint - frame.center, frame.toward) >= kNearest;
+}
+
 }  // namespace enfilade

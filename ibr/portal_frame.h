@@ -19,4 +19,11 @@ struct PortalFrame {
 /// The frame of a portal that is not horizontal.
 PortalFrame portalFrame(const Portal& portal, bool from_front);
 
+/// Level, toward the viewer; unit.
+glm::dvec3 levelAhead(const PortalFrame& frame);
+
+/// Whether `viewpoint` stands before the portal's plane, by 5 cm or more: what can be captured
+/// from.
+bool standsBefore(const PortalFrame& frame, const glm::dvec3& viewpoint);
+
 }  // namespace enfilade

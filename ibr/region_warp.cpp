@@ -144,11 +144,7 @@ void RegionWarp::warpFragment(std::size_t number) const noexcept {
 }
 
 void RegionWarp::countPixels() const noexcept {
-  for (std::size_t i = 0; i < plan.fragment_count; ++i) {
-    job.counts.pixels += plan.counts[i].pixels;
-    job.counts.pixels_uncovered += plan.counts[i].pixels_uncovered;
-    job.counts.pixels_bridged += plan.counts[i].pixels_bridged;
-  }
+  for (std::size_t i = 0; i < plan.fragment_count; ++i) job.counts += plan.counts[i];
 }
 
 }  // namespace enfilade

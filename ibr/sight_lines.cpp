@@ -10,7 +10,6 @@ namespace enfilade {
 namespace {
 
 constexpr double kSameSurface = 5e-4;  // [of the distance] what rays in floats may differ by
-constexpr double kBesidePortal = 1e4;  // a patch seen through the margin counts as this much larger
 
 bool contains(const std::vector<glm::ivec2>& spans, const glm::dvec2& at) noexcept {
   if (!(at.x >= 0 && at.y >= 0 && at.y < static_cast<double>(spans.size()))) return false;
@@ -75,7 +74,8 @@ std::optional<std::size_t> SightLines::bestEye(const RayPoint& point) const {
     if (place.distance < 1.0) continue;
     const double facing = std::abs(glm::dot(point.normal, place.direction));
     const double area = place.distance * place.distance / std::max(facing, 1e-12) *
-                        imagePlaneDistance(eyes_[i].camera) * (place.beside ? kBesidePortal : 1.0);
+                        imagePlaneDistance(eyes_[i].camera) *
+                        (place.beside ? kDoubtBesideThePortal : 1.0);
     eyes.emplace_back(area, i);
   }
   std::sort(eyes.begin(), eyes.end());

@@ -7,20 +7,18 @@ namespace enfilade {
 ViewpointFan::ViewpointFan(const Portal& portal, bool from_front, float eye_y,
                            const ImageParameters& parameters, int count)
     : frame_(portalFrame(portal, from_front)) {
-  constexpr double kLeastAhead = 0.05;  // [m] before the portal's plane
   CaptureRing fan = parameters.rings.front();
   fan.captures = count;
   for (const glm::dvec3& at : semicircleViewpoints(portal, from_front, eye_y, parameters, fan)) {
-    if (glm::dot(at - frame_.center, frame_.toward) < kLeastAhead) continue;
+    if (!standsBefore(frame_, at)) continue;
     viewpoints_.push_back(at);
     bearings_.push_back(bearing(at));
   }
 }
 
 double ViewpointFan::bearing(const glm::dvec3& point) const noexcept {
-  const glm::dvec3 ahead = glm::cross(frame_.right, glm::dvec3(0, 1, 0));
   const glm::dvec3 to_point = point - frame_.center;
-  return std::atan2(glm::dot(to_point, frame_.right), glm::dot(to_point, ahead));
+  return std::atan2(glm::dot(to_point, frame_.right), glm::dot(to_point, levelAhead(frame_)));
 }
 
 }  // namespace enfilade

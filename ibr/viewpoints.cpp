@@ -8,8 +8,6 @@
 namespace enfilade {
 namespace {
 
-constexpr double kNearestViewpoint = 0.05;  // [m] before the portal's plane
-
 /// Half the axes of the semicircle: to the side, and ahead [m].
 glm::dvec2 ringAxes(const PortalFrame& frame, const ImageParameters& parameters) {
   const auto radius = static_cast<double>(parameters.switch_distance);
@@ -25,7 +23,7 @@ glm::dvec2 pixelsOf(const PortalFrame& frame, int image_size) {
 
 std::vector<glm::dvec3> viewpointsOnRing(const PortalFrame& frame, const glm::dvec2& axes,
                                          double eye_y, const CaptureRing& ring) {
-  const glm::dvec3 ahead = glm::cross(frame.right, glm::dvec3(0, 1, 0));  // level, to the viewer
+  const glm::dvec3 ahead = levelAhead(frame);
   std::vector<glm::dvec3> viewpoints;
   for (int i = 0; i < ring.captures; ++i) {
     const double along = ring.captures == 1 ? 0.0 : 2.0 * i / (ring.captures - 1) - 1.0;
@@ -76,9 +74,7 @@ std::vector<glm::dvec3> captureViewpoints(const Portal& portal, bool from_front,
       }
     }
   }
-  std::erase_if(viewpoints, [&](const glm::dvec3& at) {
-    return glm::dot(at - frame.center, frame.toward) < kNearestViewpoint;
-  });
+  std::erase_if(viewpoints, [&](const glm::dvec3& at) { return !standsBefore(frame, at); });
   return viewpoints;
 }
 

@@ -3,7 +3,6 @@
 #include "ibr/warp.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "ibr/region_warp.h"
 #include "ibr/warp_scratch.h"
@@ -96,6 +95,15 @@ class WarpRounds {
 };
 
 }  // namespace
+
+WarpCounts& WarpCounts::operator+=(const WarpCounts& more) noexcept {
+  samples += more.samples;
+  samples_clipped += more.samples_clipped;
+  pixels += more.pixels;
+  pixels_uncovered += more.pixels_uncovered;
+  pixels_bridged += more.pixels_bridged;
+  return *this;
+}
 
 WarpBuffer::WarpBuffer(std::shared_ptr<WarpScratch> scratch)
     : scratch_(scratch ? std::move(scratch) : std::make_shared<WarpScratch>()) {}

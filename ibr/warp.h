@@ -40,6 +40,8 @@ struct WarpCounts {
   std::size_t pixels = 0;            ///< in the region
   std::size_t pixels_uncovered = 0;  ///< of them, those into which no sample fell
   std::size_t pixels_bridged = 0;    ///< of the uncovered, cracks within a surface that were closed
+
+  WarpCounts& operator+=(const WarpCounts& more) noexcept;
 };
 
 /// Which samples are left out before they are warped.  The picture is the same with any.

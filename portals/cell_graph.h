@@ -36,6 +36,19 @@ struct Portal {
   CellId cellBehind(bool from_front) const { return from_front ? back : front; }
 };
 
+/// A portal as seen from one of its sides.
+struct PortalSide {
+  PortalId portal = 0;
+  bool from_front = true;  ///< the eye is on the front cell's side
+
+  bool operator==(const PortalSide& other) const = default;
+};
+
+/// The number of a side among all sides: of portal 0 the front and the back, of portal 1 …
+inline std::size_t sideIndex(PortalId portal, bool from_front) noexcept {
+  return 2 * static_cast<std::size_t>(portal) + (from_front ? 0 : 1);
+}
+
 /// A room, or the exterior: a connected part of free space.
 struct Cell {
   std::string name;

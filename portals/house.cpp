@@ -52,6 +52,12 @@ void requireLabelsOfCells(const House& house, const std::string& file) {
 
 }  // namespace
 
+std::vector<std::uint8_t> doorFlags(std::span<const ObjectRole> roles) {
+  std::vector<std::uint8_t> flags;
+  for (const ObjectRole role : roles) flags.push_back(role == ObjectRole::kDoor);
+  return flags;
+}
+
 std::string houseJsonFile(const std::string& folder) { return inFolder(folder, "house.json"); }
 std::string geometryFile(const std::string& folder) { return inFolder(folder, "geometry.glb"); }
 std::string cellGridFile(const std::string& folder) { return inFolder(folder, "cells.grid"); }

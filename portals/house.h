@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ enum class ObjectRole : std::uint8_t {
   kDoor,   ///< openable: not an obstacle, not drawn while walking
   kGlass,  ///< a window that can be seen through: drawn, but no obstacle to sight
 };
+
+/// One flag a role: whether it is a door's.  Doors stand open: they are hidden from rays.
+std::vector<std::uint8_t> doorFlags(std::span<const ObjectRole> roles);
 
 /// What a house says of where it comes from.
 struct HouseInfo {

@@ -21,12 +21,7 @@ namespace enfilade {
 
 namespace {
 
-/// A side of a portal that gets images: what is baked at once.
-struct PortalSide {
-  PortalId portal;
-  bool from_front;
-};
-
+/// The sides that get images: each is baked at once.
 std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
   std::vector<PortalSide> sides;
   for (PortalId id = 0; id < graph.portals.size(); ++id) {
@@ -35,13 +30,6 @@ std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
     }
   }
   return sides;
-}
-
-/// Doors stand open in the images.
-std::vector<std::uint8_t> doorsOf(const House& house) {
-  std::vector<std::uint8_t> doors;
-  for (const ObjectRole role : house.object_roles) doors.push_back(role == ObjectRole::kDoor);
-  return doors;
 }
 
 /// What all sides need, and nothing changes.
@@ -53,7 +41,7 @@ struct Baking {
         index(house),
         far_depth(farDepth(house.building, parameters)) {
     if (parameters.ldi == LdiMaking::kRayCast) {
-      caster = std::make_unique<RayCaster>(house.building, doorsOf(house), 1);
+      caster = std::make_unique<RayCaster>(house.building, doorFlags(house.object_roles), 1);
     }
   }
 

@@ -130,9 +130,7 @@ void claimBySight(const Building& building, std::span<const ObjectRole> roles,
                   const Patches& patches, const CutCells& cells, int rays_per_cell, int threads,
                   const std::function<void(double)>& progress, PatchCells& claims) {
   if (rays_per_cell <= 0) return;
-  std::vector<std::uint8_t> hidden;
-  for (const ObjectRole role : roles) hidden.push_back(role == ObjectRole::kDoor);
-  const RayCaster rays(building, hidden, threads);
+  const RayCaster rays(building, doorFlags(roles), threads);
   const PortalWalker walker(cells.graph);
   const SightLines sight(building, rays, walker, patches);
   const std::vector<Origins> blocks = chooseOrigins(cells, rays_per_cell);

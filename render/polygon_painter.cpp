@@ -106,13 +106,7 @@ void PolygonPainter::drawScreenPolygons(std::span<const ScreenPolygon> polygons,
   const glm::ivec2 high =
       glm::min(glm::ivec2(region.z, region.w), glm::ivec2(picture.width, picture.height));
   triangles_.clear();
-  for (const ScreenPolygon& screen : polygons) {
-    for (std::size_t i = 2; i < screen.polygon.size(); ++i) {
-      for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
-        triangles_.push_back({screen.polygon[corner], glm::vec2(0)});
-      }
-    }
-  }
+  for (const ScreenPolygon& screen : polygons) addTriangles(screen.polygon, {});
   if (low.x >= high.x || low.y >= high.y || triangles_.empty()) return;
   bindTexture(picture.width, picture.height, true);
   const std::size_t start =
@@ -134,11 +128,7 @@ void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                                          const glm::mat4& clip_from_world, std::uint64_t key) {
   assert(polygon.size() == texcoords.size());
   triangles_.clear();
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
-      triangles_.push_back({polygon[corner], texcoords[corner]});
-    }
-  }
+  addTriangles(polygon, texcoords);
   if (triangles_.empty() || texture.rgba.empty()) return;
   if (key != 0) {
     bindKept(texture, key);
@@ -150,11 +140,12 @@ void PolygonPainter::drawTexturedPolygon(std::span<const glm::vec3> polygon,
   drawTriangles(textured_program_, clip_from_world);
 }
 
-void PolygonPainter::setTriangles(std::span<const glm::vec3> polygon) {
-  triangles_.clear();
+void PolygonPainter::addTriangles(std::span<const glm::vec3> polygon,
+                                  std::span<const glm::vec2> texcoords) {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
-      triangles_.push_back({polygon[corner], glm::vec2(0)});
+      const glm::vec2 texcoord = texcoords.empty() ? glm::vec2(0) : texcoords[corner];
+      triangles_.push_back({polygon[corner], texcoord});
     }
   }
 }
@@ -174,7 +165,8 @@ void PolygonPainter::markVisible(std::span<const ScreenPolygon> polygons,
   // Backwards, so that of polygons at one depth the first stays, as when they were drawn.
   gl_.DepthFunc(GL_LEQUAL);
   for (std::size_t i = polygons.size(); i-- > 0;) {
-    setTriangles(polygons[i].polygon);
+    triangles_.clear();
+    addTriangles(polygons[i].polygon, {});
     if (triangles_.empty()) continue;
     gl_.UseProgram(mark_program_);
     gl_.Uniform1f(gl_.GetUniformLocation(mark_program_, "mark"),

@@ -59,7 +59,8 @@ class PolygonPainter {
   };
 
   void bindTexture(int width, int height, bool by_pixel);
-  void setTriangles(std::span<const glm::vec3> polygon);
+  /// `texcoords`: one a corner, or none.
+  void addTriangles(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords);
   void setAlphaOfAll(float alpha);
   void bind(Texture& texture, int width, int height, bool by_pixel);
   void bindKept(const Image& image, std::uint64_t key);

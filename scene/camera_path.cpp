@@ -98,6 +98,12 @@ CameraPath readTour(const std::string& file, const json& root) {
   return path;
 }
 
+Camera cameraAt(const CameraPath& path, std::size_t frame, const Camera& camera) {
+  Camera placed = camera;
+  placed.pose = path.poses[frame].pose;
+  return placed;
+}
+
 CameraPath readCameraPath(const std::string& file, double frames_per_second) {
   const std::vector<std::uint8_t> bytes = readFile(file);
   if (isGlb(bytes)) return readAnimatedCamera(file, frames_per_second);

@@ -19,6 +19,9 @@ struct CameraPath {
   std::vector<TimedPose> poses;
 };
 
+/// `camera` with the pose of the path's frame `frame`.
+Camera cameraAt(const CameraPath& path, std::size_t frame, const Camera& camera);
+
 /// Reads a path, at least one pose.  By content, whatever the extension:
 /// - our JSON: {"enfilade": "tour", "version": 1, "name": …, "vertical_fov_degrees": …,
 ///   "frames": [{"t": seconds, "p": [x, y, z], "q": [x, y, z, w]}, …]};
