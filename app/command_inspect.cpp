@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/cell_solids.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/floor_plan.h"
@@ -11,6 +12,7 @@
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/gltf_reader.h"
+#include "scene/gltf_writer.h"
 
 namespace enfilade {
 
@@ -19,6 +21,7 @@ namespace {
 struct InspectOptions {
   std::string input;
   std::string plan;
+  std::string cells;   ///< a GLB
   std::string layers;  ///< a folder for their pictures
   int portal = -1;     ///< any
   std::string side;    ///< either
@@ -46,6 +49,10 @@ void inspectHouse(const InspectOptions& options, bool quiet) {
     writeFileAtomically(options.plan, floorPlanSvg(house));
     printNote(quiet, options.plan + ": the floor plan");
   }
+  if (!options.cells.empty()) {
+    writeGlb(options.cells, cellSolids(house));
+    printNote(quiet, options.cells + ": the cells and portals");
+  }
   std::vector<SideLayers> layers;
   if (!options.layers.empty()) layers = drawLayers(options, house, quiet);
   printResult(options.json ? houseJson(options.input, house, images, layers)
@@ -57,6 +64,10 @@ void inspectModel(const InspectOptions& options) {
   if (!options.plan.empty()) {
     throw Error(ErrorKind::kUsage, options.input,
                 "a model has no rooms yet; preprocess it, then inspect the house with --plan");
+  }
+  if (!options.cells.empty()) {
+    throw Error(ErrorKind::kUsage, options.input,
+                "a model has no rooms yet; preprocess it, then inspect the house with --cells");
   }
   if (!options.layers.empty()) {
     throw Error(ErrorKind::kUsage, options.input,
@@ -92,6 +103,10 @@ void addInspectCommand(CLI::App& program, CommandContext& context) {
                    "Draw the floor plan of a house, storey by storey: cells coloured and named, "
                    "portals marked")
       ->type_name("FILE.svg");
+  command
+      ->add_option("--cells", options->cells,
+                   "Write the cells and portals of a house as a model, to look at in any viewer")
+      ->type_name("FILE.glb");
   CLI::Option* layers =
       command
           ->add_option("--layers", options->layers,

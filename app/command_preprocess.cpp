@@ -33,6 +33,9 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   double seconds = 0;
   for (const StageTime& stage : result.stages) seconds += stage.seconds;
   const CellGraph& graph = result.house.graph;
+  if (!parameters.graph.empty()) {
+    for (const std::string& line : result.house.info.log) printNote(quiet, "note: " + line);
+  }
   printResult(
       fmt::format("{}: {} cells, {} portals, {} storeys, {} triangles, {} portal sides with images "
                   "({:.1f} MB), "
@@ -70,9 +73,16 @@ void addCellOptions(CLI::App& command, PreprocessParameters& parameters) {
                   "Names of windows that can be seen through; see-through material always can")
       ->type_name("NAMES")
       ->group(kGroup);
+  CLI::Option* automatic = command.add_flag(
+      "--auto", parameters.automatic,
+      "Find cells and portals even where the model names them (NAME-room, NAME-portal)");
+  automatic->group(kGroup);
   command
-      .add_flag("--auto", parameters.automatic,
-                "Find cells and portals even where the model names them (NAME-room, NAME-portal)")
+      .add_option("--graph", parameters.graph,
+                  "Take the cells and portals of a house.json, edited or not, as given; and its "
+                  "--doors and --windows where they are not named here")
+      ->type_name("house.json")
+      ->excludes(automatic)
       ->group(kGroup);
   CellParameters& cells = parameters.cells;
   addNumber(command, kGroup, "--voxel", cells.voxel, "Edge of a voxel [m]", "M", 0.02, 1.0);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "portals/graph_values.h"
 #include "portals/house_json.h"
 #include "portals/house_names.h"
 #include "portals/json_value.h"
@@ -42,18 +43,10 @@ Cell readCell(const JsonValue& value, std::size_t storeys) {
   return cell;
 }
 
-PortalKind readKind(const JsonValue& value) {
-  const std::string text = value.string();
-  for (const auto& [kind, name] : kPortalKindNames) {
-    if (text == name) return kind;
-  }
-  value.fail("is '" + text + "', not a kind of portal");
-}
-
 Portal readPortal(const JsonValue& value, std::size_t cells) {
   Portal portal;
   portal.name = value["name"].string();
-  portal.kind = readKind(value["kind"]);
+  portal.kind = readPortalKind(value["kind"]);
   portal.front = value["front"].index(cells);
   portal.back = value["back"].index(cells);
   if (portal.front == portal.back) value.fail("has the same cell on both sides");
@@ -65,11 +58,7 @@ Portal readPortal(const JsonValue& value, std::size_t cells) {
   if (!(std::abs(glm::length(portal.plane.normal) - 1.0f) < 1e-3f)) {
     plane.fail("has no normal of unit length");
   }
-  const JsonValue polygon = value["polygon"];
-  if (polygon.size() < 3) polygon.fail("has fewer than three corners");
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    portal.polygon.push_back(polygon.at(i).vector());
-  }
+  portal.polygon = readPolygon(value["polygon"]);
   return portal;
 }
 

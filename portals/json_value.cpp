@@ -25,6 +25,11 @@ JsonValue JsonValue::operator[](const char* key) const {
   return {*found, path, file_};
 }
 
+bool JsonValue::has(const char* key) const {
+  if (!json_.is_object()) fail("is not an object");
+  return json_.contains(key);
+}
+
 std::size_t JsonValue::size() const {
   if (!json_.is_array()) fail("is not an array");
   return json_.size();
@@ -43,6 +48,8 @@ void JsonValue::forEachMember(
 }
 
 bool JsonValue::isNull() const { return json_.is_null(); }
+
+bool JsonValue::isString() const { return json_.is_string(); }
 
 bool JsonValue::boolean() const {
   if (!json_.is_boolean()) fail("is neither true nor false");

@@ -19,12 +19,14 @@ class JsonValue {
   [[noreturn]] void fail(const std::string& reason) const;
 
   JsonValue operator[](const char* key) const;  ///< of an object; must be there
+  bool has(const char* key) const;              ///< of an object
   std::size_t size() const;                     ///< of an array
   JsonValue at(std::size_t i) const;            ///< of an array, i < size()
   void forEachMember(
       const std::function<void(const std::string& key, const JsonValue& value)>& visit) const;
 
   bool isNull() const;
+  bool isString() const;
   bool boolean() const;
   std::string string() const;
   double number() const;  ///< finite

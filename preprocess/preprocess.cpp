@@ -6,11 +6,13 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "ibr/capture_plan.h"
 #include "preprocess/authored_names.h"
 #include "preprocess/bake_images.h"
 #include "preprocess/cut_cells.h"
+#include "preprocess/given_cells.h"
 #include "preprocess/house_folder.h"
 #include "preprocess/share_geometry.h"
 #include "scene/error.h"
@@ -112,17 +114,38 @@ std::map<std::string, double> statisticsOf(const House& house, const Building& m
           {"portals", static_cast<double>(house.graph.portals.size())}};
 }
 
-House makeHouse(Building model, const PreprocessParameters& parameters, Stages& stages) {
+/// Where the cells come from.
+enum class CellSource { kAutomatic, kAuthored, kGiven };
+
+CellProposal proposeCells(CellSource source, const Building& model,
+                          std::span<const ObjectRole> roles, const VoxelGrid& voxels,
+                          const AuthoredNames& names, const std::optional<GivenGraph>& given,
+                          const CellParameters& parameters) {
+  switch (source) {
+    case CellSource::kGiven:
+      return givenCells(*given, voxels);
+    case CellSource::kAuthored:
+      return authoredCells(names, voxels);
+    default:
+      return findCells(model, roles, voxels, parameters);
+  }
+}
+
+House makeHouse(Building model, const PreprocessParameters& parameters,
+                const std::optional<GivenGraph>& given, Stages& stages) {
   const AuthoredNames names = takeAuthoredNames(model);
   const std::vector<ObjectRole> roles = rolesOf(model, parameters);
   const VoxelGrid voxels =
       stages.run("voxelise", [&] { return voxelise(model, roles, parameters.cells.voxel); });
-  const bool authored = !names.empty() && !parameters.automatic;
+  const CellSource source = given                                     ? CellSource::kGiven
+                            : !names.empty() && !parameters.automatic ? CellSource::kAuthored
+                                                                      : CellSource::kAutomatic;
   CutCells cells = stages.run("find cells and portals", [&] {
-    return cutCells(voxels, authored ? authoredCells(names, voxels)
-                                     : findCells(model, roles, voxels, parameters.cells));
+    return cutCells(voxels,
+                    proposeCells(source, model, roles, voxels, names, given, parameters.cells));
   });
-  if (authored) compareWithAuthor(names, cells);
+  if (source == CellSource::kAuthored) compareWithAuthor(names, cells);
+  if (source == CellSource::kGiven) compareWithGiven(*given, cells);
   SharedGeometry shared = stages.run("share out the geometry", [&] {
     const Patches patches = makePatches(model);
     PatchCells claims = claimByTouch(model, patches, voxels, cells);
@@ -141,16 +164,35 @@ House makeHouse(Building model, const PreprocessParameters& parameters, Stages& 
   house.switch_distance = parameters.image.switch_distance;
   house.eye_height = parameters.eye_height;
   house.info.parameters = parameterTexts(parameters);
-  house.info.parameters["cells"] = authored ? "authored" : "automatic";
+  constexpr const char* kSources[] = {"automatic", "authored", "given"};
+  house.info.parameters["cells"] = kSources[static_cast<int>(source)];
+  if (given) house.info.parameters["graph_sha256"] = given->sha256;
   house.info.statistics = statisticsOf(house, model);
   return house;
+}
+
+/// The graph that is to be taken, which preprocessing must not replace.
+std::optional<GivenGraph> takeGivenGraph(const std::string& folder,
+                                         PreprocessParameters& parameters) {
+  if (parameters.graph.empty()) return std::nullopt;
+  GivenGraph given = readGivenGraph(parameters.graph);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(parameters.graph, houseJsonFile(folder), ignored)) {
+    throw Error(ErrorKind::kUsage, parameters.graph,
+                "would be replaced: choose another folder for the new house");
+  }
+  if (parameters.doors.empty()) parameters.doors = given.doors;
+  if (parameters.windows.empty()) parameters.windows = given.windows;
+  return given;
 }
 
 }  // namespace
 
 PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
-                                    const PreprocessParameters& parameters,
+                                    const PreprocessParameters& asked,
                                     const ProgressSink& progress) {
+  PreprocessParameters parameters = asked;
+  const std::optional<GivenGraph> given = takeGivenGraph(folder, parameters);
   std::unique_ptr<tbb::global_control> limit;
   if (parameters.threads > 0) {
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
@@ -160,7 +202,7 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
   Stages stages(progress, result.stages);
   Building model = stages.run("read the model", [&] { return readGltf(model_file); });
   HouseFolder output(folder);
-  result.house = makeHouse(std::move(model), parameters, stages);
+  result.house = makeHouse(std::move(model), parameters, given, stages);
   result.house.info.tool_version = ENFILADE_VERSION;
   result.house.info.model_name = std::filesystem::path(model_file).filename().string();
   result.house.info.model_sha256 = sha256Hex(readFile(model_file));

@@ -15,6 +15,9 @@ struct PreprocessParameters {
   std::string doors;  ///< name patterns of openable doors, joined by commas; empty: none
   std::string
       windows;  ///< name patterns of windows that can be seen through; blended material always is
+  std::string graph;  ///< a house.json whose cells and portals are taken as given, see
+                      ///< readGivenGraph(), with its doors and windows where none are named here;
+                      ///< empty: none.  It must not lie in the house's own folder.
   bool automatic = false;  ///< find cells even where the author named them
   bool images = true;      ///< bake the portals' images
   CellParameters cells;
@@ -42,7 +45,8 @@ struct PreprocessResult {
 /// cells, bakes the portals' images and writes the house `folder`; house.json last, so that what is
 /// interrupted is no house.  An old house there is replaced; a folder that holds something else is
 /// refused.  The same bytes for the same model and parameters, whatever the threads. Throws Error:
-/// kBadInput for the model, kMachine for the folder or the machine.
+/// kBadInput for the model or the
+/// graph, kUsage for a graph or other things in the folder, kMachine for the folder or the machine.
 PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
                                     const PreprocessParameters& parameters,
                                     const ProgressSink& progress = {});

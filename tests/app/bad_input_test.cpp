@@ -135,6 +135,7 @@ TEST_F(BadInput, AnOutputThatCannotBeWritten) {
   expectRefusal({"tour", "house", "-o", "table.csv/t.json", "--frames", "2", "-q"}, 3,
                 "table.csv/t.json: ");
   expectRefusal({"inspect", "house", "--plan", "table.csv/plan.svg"}, 3, "table.csv/plan.svg: ");
+  expectRefusal({"inspect", "house", "--cells", "table.csv/c.glb"}, 3, "table.csv/c.glb: ");
   expectRefusal({"preprocess", "model.glb", "-o", "table.csv/new", "-q"}, 3, "table.csv");
   expectRefusal({"play", "house", "-o", "table.csv/new", "-q", "--methods", "culling"}, 3,
                 "table.csv/new: ");
@@ -164,6 +165,20 @@ TEST_F(BadInput, AWayOfWarpingThatThereIsNot) {
   }
 }
 
+TEST_F(BadInput, AGraphThatThereIsNotOrThatWouldBeReplaced) {
+  const Arguments preprocess = {"preprocess", "model.glb", "-q", "--no-images", "--graph"};
+  const auto refuse = [&](const char* graph, const char* output, int status, const char* reason) {
+    Arguments arguments = preprocess;
+    arguments.insert(arguments.end(), {graph, "-o", output});
+    expectRefusal(arguments, status, std::string(graph) + reason);
+  };
+  refuse("missing.json", "new", 2, ": no such file");
+  refuse("table.csv", "new", 2, ": is not JSON");
+  refuse("house/house.json", "house", 1, ": would be replaced");
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "--auto", "--graph", "house/house.json"},
+                1, "--auto");
+}
+
 TEST_F(BadInput, ASampleThatThereIsNot) {
   expectRefusal({"sample", "palace", "-o", "new.glb"}, 1, "gallery");
   expectRefusal({"sample", "gallery", "-o", "new.glb", "--triangles", "7"}, 1, "7 is not from");
@@ -171,6 +186,7 @@ TEST_F(BadInput, ASampleThatThereIsNot) {
 
 TEST_F(BadInput, APlanOfAModel) {
   expectRefusal({"inspect", "model.glb", "--plan", "plan.svg"}, 1, "preprocess it");
+  expectRefusal({"inspect", "model.glb", "--cells", "cells.glb"}, 1, "preprocess it");
 }
 
 TEST_F(BadInput, LayersThatThereAreNot) {

@@ -93,6 +93,18 @@ TEST_F(WholeJob, InspectDescribesTheHouseAsJson) {
   }
 }
 
+TEST_F(WholeJob, AHousesOwnGraphGivesTheSameHouse) {
+  const ProgramResult result =
+      run({"preprocess", "model.glb", "-o", "again", "--no-images", "--graph", "house/house.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(textOf(path("again/cells.grid")), textOf(path("house/cells.grid")));
+  const Json before = Json::parse(textOf(path("house/house.json")));
+  const Json after = Json::parse(textOf(path("again/house.json")));
+  for (const char* part : {"storeys", "cells", "portals"}) EXPECT_EQ(after[part], before[part]);
+  EXPECT_EQ(after["parameters"]["cells"], "given");
+  EXPECT_EQ(result.errors.find("note: "), std::string::npos) << result.errors;
+}
+
 TEST_F(WholeJob, InspectWritesLayersAndCountsTheirSamples) {
   const ProgramResult result = run({"inspect", "house", "--json", "--layers", "layers", "-q"});
   ASSERT_EQ(result.status, 0) << result.errors;
