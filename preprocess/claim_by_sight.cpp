@@ -1,15 +1,14 @@
 #include <tbb/parallel_for.h>
 
-#include <atomic>
-#include <cmath>
-#include <limits>
 #include <mutex>
-#include <numbers>
 #include <random>
 
+#include "preprocess/crack_search.h"
+#include "preprocess/patch_views.h"
+#include "preprocess/random_sphere.h"
 #include "preprocess/share_geometry.h"
+#include "preprocess/sight_claims.h"
 #include "render/ray_caster.h"
-#include "visibility/portal_walk.h"
 
 namespace enfilade {
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr int kRaysPerOrigin = 16;
 constexpr int kOriginsPerBlock = 512;
-constexpr int kMostPanes = 8;  // blended surfaces that a ray passes before it is given up
 
 // Places in free space from which a cell's rays start, spread evenly over its voxels.
 struct Origins {
@@ -61,67 +59,27 @@ std::vector<Origins> chooseOrigins(const CutCells& cells, int rays_per_cell) {
   return blocks;
 }
 
-class SightLines {
- public:
-  SightLines(const Building& building, const RayCaster& rays, const PortalWalker& walker,
-             const Patches& patches)
-      : building_(building), rays_(rays), walker_(walker), patches_(patches) {}
-
-  // Claims what one ray meets, panes of glass on the way too.
-  void follow(CellId start, const glm::vec3& origin, const glm::vec3& direction,
-              std::vector<PortalCrossing>& crossings,
-              std::vector<PatchCells::Claim>& claims) const {
-    float passed = 0;
-    for (int pane = 0; pane < kMostPanes; ++pane) {
-      const RayHit hit =
-          rays_.cast(origin, direction, passed, std::numeric_limits<float>::infinity(), false);
-      if (hit.distance < 0) return;
-      const CellId cell = walker_.walk(start, origin, direction, hit.distance, crossings);
-      if (cell != kNoCell) {
-        claims.push_back({patches_.patch_of_triangle[hit.object][hit.triangle], cell});
-      }
-      if (building_.materialOf(building_.objects[hit.object]).alpha_mode != AlphaMode::kBlend)
-        return;
-      passed = hit.distance + 1e-4f * (1.0f + hit.distance);
-    }
-  }
-
- private:
-  const Building& building_;
-  const RayCaster& rays_;
-  const PortalWalker& walker_;
-  const Patches& patches_;
-};
-
-glm::vec3 randomDirection(std::mt19937& random) {
-  const auto unit = [&] { return static_cast<float>(random()) * 0x1p-32f; };
-  const float y = 2 * unit() - 1;
-  const float angle = 2 * std::numbers::pi_v<float> * unit();
-  const float r = std::sqrt(std::max(0.0f, 1 - y * y));
-  return {r * std::cos(angle), y, r * std::sin(angle)};
-}
-
-std::vector<PatchCells::Claim> claimsOfBlock(const CutCells& cells, const Origins& block,
-                                             unsigned seed, const SightLines& sight) {
+/// What random lines from the origins of a block meet.
+Sighted sightsOfBlock(const CutCells& cells, const Origins& block, unsigned seed,
+                      const SightClaims& sight) {
   std::mt19937 random(seed);
-  std::vector<PatchCells::Claim> claims;
-  std::vector<PortalCrossing> crossings;
+  Sighted found;
   const auto size = cells.grid.size();
-  const auto unit = [&] { return static_cast<float>(random()) * 0x1p-32f; };
   for (const std::size_t voxel : block.voxels) {
     const auto y = static_cast<int>(voxel % static_cast<std::size_t>(size.y));
     const std::size_t column = voxel / static_cast<std::size_t>(size.y);
     const auto z = static_cast<int>(column % static_cast<std::size_t>(size.z));
     const auto x = static_cast<int>(column / static_cast<std::size_t>(size.z));
-    const glm::vec3 jitter = glm::vec3(unit(), unit(), unit()) - 0.5f;
+    const glm::vec3 jitter = 0.5f * randomInCube(random);
     const glm::vec3 origin = cells.grid.centerOf({x, y, z}) + jitter * cells.grid.voxel();
     for (int r = 0; r < kRaysPerOrigin; ++r) {
-      sight.follow(block.cell, origin, randomDirection(random), crossings, claims);
+      sight.follow(block.cell, origin, randomDirection(random), found);
     }
   }
-  PatchCells united{std::move(claims)};
+  PatchCells united{std::move(found.claims)};
   united.sortAndUnite();
-  return united.claims;
+  found.claims = std::move(united.claims);
+  return found;
 }
 
 }  // namespace
@@ -132,19 +90,26 @@ void claimBySight(const Building& building, std::span<const ObjectRole> roles,
   if (rays_per_cell <= 0) return;
   const RayCaster rays(building, doorFlags(roles), threads);
   const PortalWalker walker(cells.graph);
-  const SightLines sight(building, rays, walker, patches);
+  const SightClaims sight(building, rays, walker, patches, cells);
   const std::vector<Origins> blocks = chooseOrigins(cells, rays_per_cell);
-  std::vector<std::vector<PatchCells::Claim>> found(blocks.size());
+  std::vector<Sighted> found(blocks.size());
   std::size_t done = 0;
   std::mutex telling;
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    found[b] = claimsOfBlock(cells, blocks[b], static_cast<unsigned>(b), sight);
+    found[b] = sightsOfBlock(cells, blocks[b], static_cast<unsigned>(b), sight);
     const std::lock_guard lock(telling);
     ++done;
     if (progress) progress(static_cast<double>(done) / static_cast<double>(blocks.size() + 1));
   });
-  for (const auto& part : found)
-    claims.claims.insert(claims.claims.end(), part.begin(), part.end());
+  const std::size_t lines = blocks.size() * kOriginsPerBlock * kRaysPerOrigin;
+  std::vector<CrackLine> cracks = lookFromPatches(building, patches, rays, sight, lines);
+  for (const Sighted& part : found) {
+    cracks.insert(cracks.end(), part.cracks.begin(), part.cracks.end());
+  }
+  searchCracks(sight, std::move(cracks), claims);
+  for (const Sighted& part : found) {
+    claims.claims.insert(claims.claims.end(), part.claims.begin(), part.claims.end());
+  }
   claims.sortAndUnite();
 }
 

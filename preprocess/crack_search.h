@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "preprocess/sight_claims.h"
+
+namespace enfilade {
+
+/// Cracks narrower than a voxel show cells what chance finds but rarely.  So where one sight line
+/// passed one and met something new, more go through the same place from elsewhere in the cell; and
+/// again from what these find, until nothing new comes.
+/// `lines`: the first ones, in an order that is the same run after run.  Adds to `claims`, which
+/// must be sorted and united, and leaves them so.  The same claims for any number of threads.
+/// Source: Wonka et al., Guided Visibility Sampling, 2006.
+void searchCracks(const SightClaims& sight, std::vector<CrackLine> lines, PatchCells& claims);
+
+}  // namespace enfilade
