@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/stopwatch.h"
+#include "portals/open_doors.h"
 
 namespace enfilade {
 
@@ -26,7 +27,7 @@ FramePainter::FramePainter(GlContext& context, const House& house, const PortalI
 
 void FramePainter::buildRays() {
   if (rays_) return;
-  rays_ = std::make_unique<RayCaster>(house_.building, doorFlags(house_.object_roles), threads_);
+  rays_ = std::make_unique<RayCaster>(house_.building, openDoors(house_), threads_);
 }
 
 void FramePainter::prepare(Method method) {

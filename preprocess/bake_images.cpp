@@ -9,6 +9,7 @@
 #include "ibr/portal_capture.h"
 #include "ibr/portal_side.h"
 #include "ibr/raycast_ldi.h"
+#include "portals/open_doors.h"
 #include "preprocess/bake_views.h"
 #include "preprocess/work_crew.h"
 #include "render/gl_context.h"
@@ -41,7 +42,7 @@ struct Baking {
         index(house),
         far_depth(farDepth(house.building, parameters)) {
     if (parameters.ldi == LdiMaking::kRayCast) {
-      caster = std::make_unique<RayCaster>(house.building, doorFlags(house.object_roles), 1);
+      caster = std::make_unique<RayCaster>(house.building, openDoors(house), 1);
     }
   }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "portals/open_doors.h"
+
 namespace enfilade {
 
 namespace {
@@ -124,8 +126,9 @@ class Rasteriser {
 
 void forEachObstacle(const House& house, const std::function<void(const WorldTriangle&)>& visit) {
   const Building& building = house.building;
+  const std::vector<std::uint8_t> open = openDoors(house);
   for (std::size_t o = 0; o < building.objects.size(); ++o) {
-    if (o < house.object_roles.size() && house.object_roles[o] == ObjectRole::kDoor) continue;
+    if (o < open.size() && open[o]) continue;
     const Object& object = building.objects[o];
     const Mesh& mesh = building.meshOf(object);
     const std::vector<glm::vec3>& positions = building.vertex_arrays[mesh.vertices].positions;

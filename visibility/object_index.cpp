@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "portals/open_doors.h"
+
 namespace enfilade {
 
 namespace {
@@ -28,10 +30,11 @@ std::vector<Plane> frustumPlanes(const View& view) {
 ObjectIndex::ObjectIndex(const House& house) : first_(house.graph.cells.size() + 1, 0) {
   const auto count = static_cast<std::uint32_t>(house.building.objects.size());
   assert(house.object_roles.size() == count && house.object_cells.size() == count);
+  const std::vector<std::uint8_t> open = openDoors(house);
   bounds_.reserve(count);
   for (std::uint32_t object = 0; object < count; ++object) {
     bounds_.push_back(worldBounds(house.building, house.building.objects[object]));
-    if (house.object_roles[object] == ObjectRole::kDoor) continue;
+    if (open[object]) continue;
     drawn_.push_back(object);
     for (const CellId cell : house.object_cells[object]) ++first_[cell + 1];
   }

@@ -16,7 +16,7 @@ struct ObjectList {
 };
 
 /// Which objects stand in which cell, and where: made once for a house, asked each frame.
-/// Doors are left out everywhere: they stand open.
+/// Doors that stand open (see openDoors()) are left out everywhere.
 class ObjectIndex {
  public:
   /// `house` need not outlive it.
@@ -42,7 +42,7 @@ class ObjectIndex {
 
  private:
   std::vector<Box> bounds_;           // one an object
-  std::vector<std::uint32_t> drawn_;  // every object but doors, increasing
+  std::vector<std::uint32_t> drawn_;  // every object but open doors, increasing
   std::vector<std::uint32_t> first_;  // one a cell and one more, into cell_objects_
   std::vector<std::uint32_t> cell_objects_;
 };
