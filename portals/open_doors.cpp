@@ -1,6 +1,5 @@
 #include "portals/open_doors.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "portals/polygon.h"
@@ -18,20 +17,27 @@ bool standsIn(const Portal& portal, const glm::vec3& middle) {
 
 }  // namespace
 
+std::vector<ShutDoor> shutDoors(const House& house) {
+  std::vector<PortalId> shut;
+  for (PortalId p = 0; p < house.graph.portals.size(); ++p) {
+    if (!house.graph.portals[p].active) shut.push_back(p);
+  }
+  std::vector<ShutDoor> doors;
+  if (shut.empty()) return doors;
+  for (std::uint32_t object = 0; object < house.object_roles.size(); ++object) {
+    if (house.object_roles[object] != ObjectRole::kDoor) continue;
+    const Box box = worldBounds(house.building, house.building.objects[object]);
+    if (box.empty()) continue;
+    for (const PortalId p : shut) {
+      if (standsIn(house.graph.portals[p], box.center())) doors.push_back({object, p});
+    }
+  }
+  return doors;
+}
+
 std::vector<std::uint8_t> openDoors(const House& house) {
   std::vector<std::uint8_t> open = doorFlags(house.object_roles);
-  const auto& portals = house.graph.portals;
-  if (std::all_of(portals.begin(), portals.end(), [](const Portal& p) { return p.active; })) {
-    return open;
-  }
-  for (std::size_t o = 0; o < open.size(); ++o) {
-    if (open[o] == 0) continue;
-    const Box box = worldBounds(house.building, house.building.objects[o]);
-    if (box.empty()) continue;
-    open[o] = std::none_of(portals.begin(), portals.end(), [&](const Portal& portal) {
-      return !portal.active && standsIn(portal, box.center());
-    });
-  }
+  for (const ShutDoor& door : shutDoors(house)) open[door.object] = 0;
   return open;
 }
 

@@ -25,24 +25,39 @@ std::vector<Plane> frustumPlanes(const View& view) {
   return planes;
 }
 
+/// The cells that can see each object.  A shut door is seen from both sides of its portal, beyond
+/// which it may stand.
+std::vector<std::vector<CellId>> cellsOfObjects(const House& house) {
+  std::vector<std::vector<CellId>> cells = house.object_cells;
+  for (const ShutDoor& door : shutDoors(house)) {
+    std::vector<CellId>& of_door = cells[door.object];
+    const Portal& portal = house.graph.portals[door.portal];
+    of_door.insert(of_door.end(), {portal.front, portal.back});
+    std::sort(of_door.begin(), of_door.end());
+    of_door.erase(std::unique(of_door.begin(), of_door.end()), of_door.end());
+  }
+  return cells;
+}
+
 }  // namespace
 
 ObjectIndex::ObjectIndex(const House& house) : first_(house.graph.cells.size() + 1, 0) {
   const auto count = static_cast<std::uint32_t>(house.building.objects.size());
   assert(house.object_roles.size() == count && house.object_cells.size() == count);
   const std::vector<std::uint8_t> open = openDoors(house);
+  const std::vector<std::vector<CellId>> cells = cellsOfObjects(house);
   bounds_.reserve(count);
   for (std::uint32_t object = 0; object < count; ++object) {
     bounds_.push_back(worldBounds(house.building, house.building.objects[object]));
     if (open[object]) continue;
     drawn_.push_back(object);
-    for (const CellId cell : house.object_cells[object]) ++first_[cell + 1];
+    for (const CellId cell : cells[object]) ++first_[cell + 1];
   }
   for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   cell_objects_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (const std::uint32_t object : drawn_) {
-    for (const CellId cell : house.object_cells[object]) cell_objects_[next[cell]++] = object;
+    for (const CellId cell : cells[object]) cell_objects_[next[cell]++] = object;
   }
 }
 

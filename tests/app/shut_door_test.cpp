@@ -21,6 +21,7 @@ House houseWithDoor(bool active) {
   std::vector<CellId> all;
   for (CellId cell = 0; cell < house.graph.cells.size(); ++cell) all.push_back(cell);
   house.object_cells.assign(house.building.objects.size(), all);
+  house.object_cells[house.object_cells.size() - 2] = {2};  // beyond the portal for who looks
   for (Portal& portal : house.graph.portals) portal.active = active;
   Building& building = house.building;  // all else is white
   building.meshes[building.objects[building.objects.size() - 2].mesh].material =
