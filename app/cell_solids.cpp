@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "app/portal_color.h"
+
 namespace enfilade {
 namespace {
 
@@ -143,7 +145,6 @@ void addObject(Building& building, const std::string& name, Material material, S
 }  // namespace
 
 Building cellSolids(const House& house) {
-  constexpr unsigned kKindColor[] = {0x0a7d4f, 0xd1570b, 0x1467c8};  // by PortalKind
   constexpr unsigned kShut = 0x707070;
   Building building;
   building.name = house.info.model_name + ": cells and portals";
@@ -158,8 +159,7 @@ Building cellSolids(const House& house) {
   for (const Portal& portal : graph.portals) {
     Surface surface;
     surface.addPolygon(portal.polygon, portal.plane.normal);
-    const unsigned color =
-        portal.active ? kKindColor[static_cast<std::size_t>(portal.kind)] : kShut;
+    const unsigned color = portal.active ? portalColor(portal.kind) : kShut;
     addObject(building, portal.name, seeThrough("portal", rgb(color), 0.7f), std::move(surface));
   }
   return building;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 
+#include "app/portal_color.h"
 #include "app/portal_size.h"
 
 namespace enfilade {
 
 namespace {
-
-constexpr const char* kKindColor[] = {"#0a7d4f", "#d1570b", "#1467c8"};  // by PortalKind
 
 /// The cell's name without that of its storey, which stands above the plan.
 std::string shortName(const CellGraph& graph, const Cell& cell) {
@@ -91,7 +90,6 @@ std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop
       fmt::format("<title>{} {}: {} to {}, {:.2f} x {:.2f} m</title>", kindName(portal.kind), id,
                   escapedXml(graph.cells[portal.front].name),
                   escapedXml(graph.cells[portal.back].name), size.x, size.y);
-  const char* color = kKindColor[static_cast<std::size_t>(portal.kind)];
   std::string points;
   for (const glm::vec3& corner : portal.polygon) {
     const glm::vec2 p = crop.pixels(corner.x, corner.z);
@@ -99,8 +97,8 @@ std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop
   }
   const char* style = isLevel(portal) ? "stroke-width=\"2\" stroke-dasharray=\"6 4\""
                                       : "stroke-width=\"5\" stroke-linejoin=\"round\"";
-  return fmt::format("<polygon points=\"{}\" fill=\"none\" stroke=\"{}\" {}>{}</polygon>\n", points,
-                     color, style, title);
+  return fmt::format("<polygon points=\"{}\" fill=\"none\" stroke=\"#{:06x}\" {}>{}</polygon>\n",
+                     points, portalColor(portal.kind), style, title);
 }
 
 std::string planFoot(const PlanCrop& crop) {
@@ -123,9 +121,10 @@ std::string planFoot(const PlanCrop& crop) {
   float x = 0;
   for (const PortalKind kind : {PortalKind::kOpening, PortalKind::kDoor, PortalKind::kWindow}) {
     svg += fmt::format(
-        "<path d=\"M{:.0f} 36h22\" stroke=\"{}\" stroke-width=\"5\"/><text x=\"{:.0f}\" y=\"40\" "
+        "<path d=\"M{:.0f} 36h22\" stroke=\"#{:06x}\" stroke-width=\"5\"/><text x=\"{:.0f}\" "
+        "y=\"40\" "
         "font-size=\"12\">{}</text>\n",
-        x, kKindColor[static_cast<std::size_t>(kind)], x + 28, kindName(kind));
+        x, portalColor(kind), x + 28, kindName(kind));
     x += 100;
   }
   return svg;

@@ -103,14 +103,10 @@ void claimBySight(const Building& building, std::span<const ObjectRole> roles,
   });
   const std::size_t lines = blocks.size() * kOriginsPerBlock * kRaysPerOrigin;
   std::vector<CrackLine> cracks = lookFromPatches(building, patches, rays, sight, lines);
-  for (const Sighted& part : found) {
-    cracks.insert(cracks.end(), part.cracks.begin(), part.cracks.end());
-  }
+  const std::vector<CrackLine> more = cracksOf(found);
+  cracks.insert(cracks.end(), more.begin(), more.end());
   searchCracks(sight, std::move(cracks), claims);
-  for (const Sighted& part : found) {
-    claims.claims.insert(claims.claims.end(), part.claims.begin(), part.claims.end());
-  }
-  claims.sortAndUnite();
+  addClaims(found, claims);
 }
 
 }  // namespace enfilade

@@ -119,15 +119,8 @@ void searchCracks(const SightClaims& sight, std::vector<CrackLine> lines, PatchC
     for (const CrackLine& line : lines) claims.claims.push_back(line.claim);
     claims.sortAndUnite();
     const std::vector<Sighted> found = varyLines(sight, lines, round);
-    lines.clear();
-    for (const Sighted& part : found) {
-      lines.insert(lines.end(), part.cracks.begin(), part.cracks.end());
-    }
-    lines = newLines(std::move(lines), claims);  // before these claims are known
-    for (const Sighted& part : found) {
-      claims.claims.insert(claims.claims.end(), part.claims.begin(), part.claims.end());
-    }
-    claims.sortAndUnite();
+    lines = newLines(cracksOf(found), claims);  // before these claims are known
+    addClaims(found, claims);
   }
 }
 

@@ -137,9 +137,7 @@ std::vector<CrackLine> lookFromPatches(const Building& building, const Patches& 
       }
     }
   });
-  std::vector<CrackLine> out;
-  for (const Sighted& part : found) out.insert(out.end(), part.cracks.begin(), part.cracks.end());
-  return out;
+  return cracksOf(found);
 }
 
 }  // namespace enfilade

@@ -45,8 +45,8 @@ struct PreprocessResult {
 /// cells, bakes the portals' images and writes the house `folder`; house.json last, so that what is
 /// interrupted is no house.  An old house there is replaced; a folder that holds something else is
 /// refused.  The same bytes for the same model and parameters, whatever the threads. Throws Error:
-/// kBadInput for the model or the
-/// graph, kUsage for a graph or other things in the folder, kMachine for the folder or the machine.
+/// kBadInput for the model or the graph, kUsage for a graph or other things in the folder, kMachine
+/// for the folder or the machine.
 PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
                                     const PreprocessParameters& parameters,
                                     const ProgressSink& progress = {});

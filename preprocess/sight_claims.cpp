@@ -9,6 +9,21 @@ constexpr int kMostPanes = 8;  // blended surfaces that a ray passes before it i
 
 }  // namespace
 
+std::vector<CrackLine> cracksOf(std::span<const Sighted> parts) {
+  std::vector<CrackLine> cracks;
+  for (const Sighted& part : parts) {
+    cracks.insert(cracks.end(), part.cracks.begin(), part.cracks.end());
+  }
+  return cracks;
+}
+
+void addClaims(std::span<const Sighted> parts, PatchCells& claims) {
+  for (const Sighted& part : parts) {
+    claims.claims.insert(claims.claims.end(), part.claims.begin(), part.claims.end());
+  }
+  claims.sortAndUnite();
+}
+
 CellGrid::Label SightClaims::label(const glm::ivec3& v) const noexcept {
   const glm::ivec3& size = grid_.size();
   if (glm::any(glm::lessThan(v, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(v, size))) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "preprocess/cut_cells.h"
@@ -25,6 +26,11 @@ struct Sighted {
   std::vector<CrackLine> cracks;
   std::vector<PortalCrossing> crossings;  ///< kept for its memory
 };
+
+/// The cracks of all parts, in order.
+std::vector<CrackLine> cracksOf(std::span<const Sighted> parts);
+/// Adds the claims of all parts; `claims` is sorted and united afterwards.
+void addClaims(std::span<const Sighted> parts, PatchCells& claims);
 
 /// Follows sight lines through a building's cells.  Keeps references to all that it is given; for
 /// several threads at once.

@@ -23,13 +23,7 @@ struct SlitRooms {
   std::vector<std::uint32_t> boxes;  ///< objects
 
   SlitRooms() {
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
-    test.wall(true, 0, 0, 8, 0, 3);
-    test.wall(true, 4, 0, 8, 0, 3);
-    test.wall(false, 0, 0, 4, 0, 3);
-    test.wall(false, 4, 0, 4, 0, 3, {{1.0f, 1.8f, 1.02f, 1.08f}});
-    test.wall(false, 8, 0, 4, 0, 3);
+    test.twoRooms({{1.0f, 1.8f, 1.02f, 1.08f}});
     std::mt19937 random(3);
     for (int i = 0; i < 60; ++i) {
       const glm::vec3 at =

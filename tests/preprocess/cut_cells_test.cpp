@@ -14,13 +14,7 @@ struct TwoRooms {
   CellProposal proposal;
 
   explicit TwoRooms(float door_width = 1.0f) {
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
-    test.wall(true, 0, 0, 8, 0, 3);
-    test.wall(true, 4, 0, 8, 0, 3);
-    test.wall(false, 0, 0, 4, 0, 3);
-    test.wall(false, 4, 0, 4, 0, 3, {{1.5f, 1.5f + door_width, 0, 2.1f}});
-    test.wall(false, 8, 0, 4, 0, 3);
+    test.twoRooms({{1.5f, 1.5f + door_width, 0, 2.1f}});
     voxels = voxelise(test.building, test.roles, 0.1f);
     proposal.storeys = {{"ground", 0}};
     proposal.cell_names = {"exterior", "left", "right"};

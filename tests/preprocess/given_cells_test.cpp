@@ -14,13 +14,7 @@ namespace {
 class GivenCells : public testing::Test {
  protected:
   GivenCells() {
-    test_.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
-    test_.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
-    test_.wall(true, 0, 0, 8, 0, 3);
-    test_.wall(true, 4, 0, 8, 0, 3);
-    test_.wall(false, 0, 0, 4, 0, 3);
-    test_.wall(false, 4, 0, 4, 0, 3, {{1.5f, 2.5f, 0, 2.1f}});
-    test_.wall(false, 8, 0, 4, 0, 3, {{1.5f, 2.5f, 0, 2.1f}});
+    test_.twoRooms({{1.5f, 2.5f, 0, 2.1f}}, {{1.5f, 2.5f, 0, 2.1f}});
     voxels_ = voxelise(test_.building, test_.roles, 0.1f);
     given_.graph.storeys = {{"ground", 0}};
     given_.graph.cells.resize(3);

@@ -153,13 +153,7 @@ TEST_F(Preprocess, CullingIsThePictureOfARealHouse) {
 // Two small rooms and the doorway between them, named by their author.
 void writeTwoRooms(const std::string& file) {
   TestBuilding test;
-  test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
-  test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
-  test.wall(true, 0, 0, 8, 0, 3);
-  test.wall(true, 4, 0, 8, 0, 3);
-  test.wall(false, 0, 0, 4, 0, 3);
-  test.wall(false, 4, 0, 4, 0, 3, {{1.5f, 2.5f, 0, 2.1f}});
-  test.wall(false, 8, 0, 4, 0, 3);
+  test.twoRooms({{1.5f, 2.5f, 0, 2.1f}});
   test.box({6, 0, 1}, {6.5f, 1, 1.5f});
   writeGlb(file, test.building);
 }

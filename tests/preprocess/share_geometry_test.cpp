@@ -18,13 +18,7 @@ struct Scene {
   std::uint32_t left_box, right_box, buried_box;
 
   Scene() {
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
-    test.slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
-    test.wall(true, 0, 0, 8, 0, 3);
-    test.wall(true, 4, 0, 8, 0, 3);
-    test.wall(false, 0, 0, 4, 0, 3);
-    test.wall(false, 4, 0, 4, 0, 3, {{1.5f, 2.5f, 0, 2.1f}});
-    test.wall(false, 8, 0, 4, 0, 3);
+    test.twoRooms({{1.5f, 2.5f, 0, 2.1f}});
     left_box = add({1, 0.5f, 1}, {1.5f, 1, 1.5f});
     right_box = add({6, 0.5f, 1}, {6.5f, 1, 1.5f});
     buried_box = add({3.97f, 2.5f, 1.0f}, {4.03f, 2.6f, 1.1f});

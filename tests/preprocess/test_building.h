@@ -78,6 +78,18 @@ class TestBuilding {
     box({x0, top - thickness, z0}, {x1, top, z1});
   }
 
+  /// Two rooms of 4 × 3 × 4 m side by side along x, from the origin, walls 0.2 m thick and no way
+  /// out: holes in the wall between them at x = 4, and in the one at x = 8.
+  void twoRooms(const std::vector<Hole>& between, const std::vector<Hole>& outer = {}) {
+    slab(-0.2f, -0.2f, 8.2f, 4.2f, 0.0f);
+    slab(-0.2f, -0.2f, 8.2f, 4.2f, 3.2f);
+    wall(true, 0, 0, 8, 0, 3);
+    wall(true, 4, 0, 8, 0, 3);
+    wall(false, 0, 0, 4, 0, 3);
+    wall(false, 4, 0, 4, 0, 3, between);
+    wall(false, 8, 0, 4, 0, 3, outer);
+  }
+
   Building building;
   std::vector<ObjectRole> roles;
 
