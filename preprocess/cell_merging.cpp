@@ -26,10 +26,9 @@ void mergeCells(const std::vector<std::uint16_t>& into, CellProposal& proposal) 
   proposal.cell_storeys = kept;
 }
 
-int dropCavities(const std::vector<float>& widths, const std::vector<Interface>& interfaces,
-                 CellProposal& proposal) {
-  constexpr float kNarrow = 1.0f;  // [m]
-  std::vector<std::uint16_t> group(widths.size());
+std::vector<std::uint16_t> joinedCells(std::size_t cells,
+                                       const std::vector<Interface>& interfaces) {
+  std::vector<std::uint16_t> group(cells);
   std::iota(group.begin(), group.end(), std::uint16_t{0});
   const auto find = [&](std::uint16_t c) {
     while (group[c] != c) c = group[c] = group[group[c]];
@@ -39,22 +38,36 @@ int dropCavities(const std::vector<float>& widths, const std::vector<Interface>&
     const std::uint16_t a = find(interface.low), b = find(interface.high);
     group[std::max(a, b)] = std::min(a, b);
   }
+  for (std::uint16_t& first : group) first = find(first);
+  return group;
+}
+
+int dropCavities(const std::vector<float>& widths, const std::vector<std::uint8_t>& inside,
+                 const std::vector<Interface>& interfaces, CellProposal& proposal) {
+  constexpr float kNarrow = 1.0f;  // [m]
+  const std::vector<std::uint16_t> group = joinedCells(widths.size(), interfaces);
   std::vector<float> widest(widths.size(), 0.0f);
   for (std::size_t c = 0; c < widths.size(); ++c) {
-    float& width = widest[find(static_cast<std::uint16_t>(c))];
-    width = std::max(width, widths[c]);
+    widest[group[c]] = std::max(widest[group[c]], widths[c]);
   }
   std::vector<std::uint16_t> into(widths.size());
-  int dropped = 0;
+  int narrow = 0, solid = 0;
   for (std::size_t c = 0; c < widths.size(); ++c) {
-    const bool narrow = widest[find(static_cast<std::uint16_t>(c))] < kNarrow;
-    into[c] = narrow ? CellProposal::kNobody : static_cast<std::uint16_t>(c);
-    dropped += narrow;
+    const bool is_narrow = widest[group[c]] < kNarrow;
+    into[c] = is_narrow || inside[c] ? CellProposal::kNobody : static_cast<std::uint16_t>(c);
+    narrow += is_narrow;
+    solid += inside[c] && !is_narrow;
   }
-  if (dropped == 0) return 0;
+  if (narrow + solid == 0) return 0;
   mergeCells(into, proposal);
-  proposal.log.push_back(fmt::format("left out {} narrow cavities that nothing leads to", dropped));
-  return dropped;
+  if (narrow > 0) {
+    proposal.log.push_back(
+        fmt::format("left out {} narrow cavities that nothing leads to", narrow));
+  }
+  if (solid > 0) {
+    proposal.log.push_back(fmt::format("left out {} insides of walls and other solids", solid));
+  }
+  return narrow + solid;
 }
 
 }  // namespace enfilade

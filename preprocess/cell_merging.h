@@ -12,9 +12,13 @@ namespace enfilade {
 /// before it that it becomes part of, or CellProposal::kNobody to give it up.
 void mergeCells(const std::vector<std::uint16_t>& into, CellProposal& proposal);
 
-/// Gives up cells that nothing joins to the exterior or to any wide enough to be a room: the
-/// insides of thick walls and shafts.  `widths` [m], one a cell.  Returns how many.
-int dropCavities(const std::vector<float>& widths, const std::vector<Interface>& interfaces,
-                 CellProposal& proposal);
+/// For each of `cells` cells the first of those that interfaces join it to, over others or not.
+std::vector<std::uint16_t> joinedCells(std::size_t cells, const std::vector<Interface>& interfaces);
+
+/// Gives up cells that nothing joins to the exterior or to any wide enough to be a room (shafts,
+/// the insides of thick walls), and those with a flag in `inside`.  `widths` [m], one a cell.
+/// Returns how many.
+int dropCavities(const std::vector<float>& widths, const std::vector<std::uint8_t>& inside,
+                 const std::vector<Interface>& interfaces, CellProposal& proposal);
 
 }  // namespace enfilade

@@ -76,10 +76,12 @@ Sighted sightsOfBlock(const CutCells& cells, const Origins& block, unsigned seed
       sight.follow(block.cell, origin, randomDirection(random), found);
     }
   }
+  // Of many blocks, no more is kept than will be needed.
   PatchCells united{std::move(found.claims)};
   united.sortAndUnite();
-  found.claims = std::move(united.claims);
-  return found;
+  return {{united.claims.begin(), united.claims.end()},
+          oneOfEachPlace(std::move(found.cracks), sight.voxel()),
+          {}};
 }
 
 }  // namespace

@@ -73,18 +73,6 @@ std::vector<CrackLine> oneOfEach(std::vector<CrackLine> lines, std::size_t most,
   return some;
 }
 
-/// One line for each place where a cell is left.
-std::vector<CrackLine> firstLines(std::vector<CrackLine> lines, float voxel) {
-  const auto place = [&](const CrackLine& line) {
-    const glm::vec3 direction = glm::normalize(line.end - line.start);
-    const glm::vec3 middle = line.start + 0.5f * (line.solid_from + line.solid_to) * direction;
-    const glm::ivec3 v(glm::floor(middle / voxel));
-    return std::tuple(line.claim.cell, v.x, v.z, v.y);
-  };
-  return oneOfEach(std::move(lines), kMostPlaces,
-                   [&](const CrackLine& a, const CrackLine& b) { return place(a) < place(b); });
-}
-
 /// One line for each claim that is new.
 std::vector<CrackLine> newLines(std::vector<CrackLine> lines, const PatchCells& known) {
   std::erase_if(lines, [&](const CrackLine& line) {
@@ -113,8 +101,19 @@ std::vector<Sighted> varyLines(const SightClaims& sight, const std::vector<Crack
 
 }  // namespace
 
+std::vector<CrackLine> oneOfEachPlace(std::vector<CrackLine> lines, float voxel, std::size_t most) {
+  const auto place = [&](const CrackLine& line) {
+    const glm::vec3 direction = glm::normalize(line.end - line.start);
+    const glm::vec3 middle = line.start + 0.5f * (line.solid_from + line.solid_to) * direction;
+    const glm::ivec3 v(glm::floor(middle / voxel));
+    return std::tuple(line.claim.cell, v.x, v.z, v.y);
+  };
+  return oneOfEach(std::move(lines), most,
+                   [&](const CrackLine& a, const CrackLine& b) { return place(a) < place(b); });
+}
+
 void searchCracks(const SightClaims& sight, std::vector<CrackLine> lines, PatchCells& claims) {
-  lines = firstLines(std::move(lines), sight.voxel());
+  lines = oneOfEachPlace(std::move(lines), sight.voxel(), kMostPlaces);
   for (int round = 0; round < kMostRounds && !lines.empty(); ++round) {
     for (const CrackLine& line : lines) claims.claims.push_back(line.claim);
     claims.sortAndUnite();

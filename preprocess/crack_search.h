@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "preprocess/sight_claims.h"
 
 namespace enfilade {
+
+/// The first of the lines for each place, to a voxel, where a cell is left; thinned evenly if they
+/// are more than `most`.
+std::vector<CrackLine> oneOfEachPlace(std::vector<CrackLine> lines, float voxel,
+                                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Cracks narrower than a voxel show cells what chance finds but rarely.  So where one sight line
 /// passed one and met something new, more go through the same place from elsewhere in the cell; and

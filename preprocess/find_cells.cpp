@@ -11,8 +11,11 @@
 #include "preprocess/fit_portal.h"
 #include "preprocess/grow_cells.h"
 #include "preprocess/interfaces.h"
+#include "preprocess/join_panes.h"
+#include "preprocess/passages.h"
 #include "preprocess/portal_kind.h"
 #include "preprocess/room_seeds.h"
+#include "preprocess/solid_insides.h"
 #include "preprocess/storeys.h"
 #include "preprocess/wall_faces.h"
 
@@ -113,6 +116,27 @@ Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls,
   return fits;
 }
 
+/// Gives passages to the cells at their ends, each as far as its middle.
+bool openPassages(const VoxelGrid& voxels, const std::vector<std::uint8_t>& passage,
+                  CellProposal& proposal) {
+  std::vector<std::uint16_t> into(passage.size());
+  int opened = 0;
+  for (std::size_t c = 0; c < passage.size(); ++c) {
+    into[c] = passage[c] ? CellProposal::kNobody : static_cast<std::uint16_t>(c);
+    opened += passage[c];
+  }
+  if (opened == 0) return false;
+  mergeCells(into, proposal);
+  RoomSeeds seeds;
+  seeds.ranges.assign(proposal.cell_storeys.size(), {0, voxels.size.y});
+  seeds.owner = std::move(proposal.owner);
+  growCells(voxels, seeds);
+  proposal.owner = std::move(seeds.owner);
+  proposal.log.push_back(
+      fmt::format("took {} small rooms for what they are, doorways in thick walls", opened));
+  return true;
+}
+
 /// Whether two interfaces of the same cells were fitted with the same rectangle.
 bool isSame(const FittedPortal& a, const FittedPortal& b, float voxel) {
   return glm::distance(a.center, b.center) < voxel && glm::distance(a.half, b.half) < voxel &&
@@ -157,14 +181,27 @@ CellProposal findCells(const Building& building, std::span<const ObjectRole> rol
   proposal.cell_storeys = std::move(seeds.storeys);
   proposal.log = std::move(seeds.log);
   nameStoreys(voxels, walls, bands, proposal);
-  std::vector<Interface> interfaces = findInterfaces(voxels, proposal.owner);
-  if (dropCavities(seeds.widths, interfaces, proposal) > 0) {
-    interfaces = findInterfaces(voxels, proposal.owner);
+  const bool named = std::any_of(roles.begin(), roles.end(),
+                                 [](ObjectRole role) { return role != ObjectRole::kFixed; });
+  const auto meetings = [&] {
+    std::vector<Interface> interfaces = findInterfaces(voxels, proposal.owner);
+    joinPanes(voxels, named, interfaces);
+    return interfaces;
+  };
+  std::vector<Interface> interfaces = meetings();
+  const std::vector<std::uint8_t> inside = insidesOfSolids(
+      building, roles, voxels, proposal.owner, proposal.cell_storeys.size(), interfaces);
+  if (dropCavities(seeds.widths, inside, interfaces, proposal) > 0) {
+    interfaces = meetings();
   }
   Fits fits = fitAll(voxels, walls, interfaces, proposal);
   while (fits.merged) {
     mergeCells(fits.into, proposal);
-    interfaces = findInterfaces(voxels, proposal.owner);
+    interfaces = meetings();
+    fits = fitAll(voxels, walls, interfaces, proposal);
+  }
+  if (openPassages(voxels, findPassages(voxels, interfaces, fits.portals, proposal), proposal)) {
+    interfaces = meetings();
     fits = fitAll(voxels, walls, interfaces, proposal);
   }
   nameCells(proposal);

@@ -34,7 +34,7 @@ glm::mat3 axesFor(const glm::vec3& normal, float angle) {
   return {glm::cross(up, normal), up, normal};
 }
 
-/// Frames to try: square to the walls near by; without walls, to the interface.
+/// Frames to try: square to the walls near by; then, or without walls, to the interface.
 std::vector<glm::mat3> framesFor(const WallFaces& walls, const Interface& interface) {
   const float angle = walls.wallAngle(interface.bounds.grown(0.6f));
   const glm::vec3& n = interface.normal;
@@ -52,6 +52,7 @@ std::vector<glm::mat3> framesFor(const WallFaces& walls, const Interface& interf
   std::stable_sort(frames.begin(), frames.end(), [&](const glm::mat3& a, const glm::mat3& b) {
     return glm::dot(a[2], flat) > glm::dot(b[2], flat) + 1e-4f;
   });
+  frames.push_back(axesFor(flat, 0.0f));  // walls that curve have many directions
   return frames;
 }
 

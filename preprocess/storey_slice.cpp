@@ -10,6 +10,8 @@ namespace {
 
 using Heights = std::vector<std::int32_t>;
 
+constexpr float kSill = 0.3f;  // [m] above the floor: under a lintel, a window's
+
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
 /// The offsets of a disc of `radius` [voxels], so that turned buildings fare alike.
@@ -86,10 +88,10 @@ StoreySlice sliceStorey(const VoxelGrid& voxels, const StoreyBand& storey,
   const Heights closed = extreme(slice, extreme(slice, top, offsets, 1), offsets, -1);
   const int head =
       storey.floor + 1 + static_cast<int>(std::lround(parameters.lintel_head / voxels.voxel));
+  const int sill = storey.floor + 1 + static_cast<int>(std::lround(kSill / voxels.voxel));
   for (std::size_t i = 0; i < count; ++i) {
-    if (top[i] != kUnknown && closed[i] > top[i] && top[i] <= head) {
-      slice.kind[i] = ColumnKind::kSeparator;
-    }
+    if (top[i] == kUnknown || closed[i] <= top[i]) continue;
+    if (top[i] <= head || slice.low[i] >= sill) slice.kind[i] = ColumnKind::kSeparator;
   }
   return slice;
 }

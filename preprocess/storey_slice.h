@@ -31,7 +31,8 @@ struct StoreySlice {
 };
 
 /// Slices a storey at parameters.slice_height above its floor.  A lintel is where the grey closing
-/// of the free runs' tops, walls left out, lifts them, no higher than lintel_head above the floor.
+/// of the free runs' tops, walls left out, lifts them, no higher than lintel_head above the floor;
+/// over a sill it may hang higher.
 StoreySlice sliceStorey(const VoxelGrid& voxels, const StoreyBand& storey,
                         const CellParameters& parameters);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "preprocess/authored_names.h"
 #include "preprocess/voxel_grid.h"
 
 namespace enfilade {
@@ -23,7 +24,8 @@ struct TrueOpening {
   std::string name, kind;
   glm::vec3 center{0}, normal{0};
   float width = 0, height = 0;       ///< [m]
-  std::array<int, 2> rooms{-1, -1};  ///< index in rooms; −1 outside
+  std::array<int, 2> rooms{-1, -1};  ///< index in rooms; −1 outside, or in no room
+  bool rooms_known = true;           ///< false: the truth says nothing of rooms
 };
 
 /// What a building's author says of it.
@@ -33,7 +35,11 @@ struct Truth {
   std::vector<TrueOpening> openings;
 };
 
-/// Reads NAME.semantics.json: rooms as columns of `grid` at 1.2 m above their floor.
-Truth readTruth(const std::string& file, const VoxelGrid& grid);
+/// Reads NAME.semantics.json: rooms as columns of `grid` at 1.2 m above their floor.  Of a game
+/// map the doors alone: its sectors are no rooms.  `turned`: what was done to the building.
+Truth readTruth(const std::string& file, const VoxelGrid& grid, const glm::mat3& turned);
+
+/// The cells and portals that the author of a model named in it.
+Truth authoredTruth(const AuthoredNames& names, const VoxelGrid& grid);
 
 }  // namespace enfilade

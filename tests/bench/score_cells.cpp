@@ -1,11 +1,14 @@
 // Scores the automatic cells and portals of a building against what its author's program says of
-// it (NAME.semantics.json): rooms, doors, windows, and how well the portals fit.
-//   score_cells MODEL.glb SEMANTICS.json [--doors P] [--windows P] [--voxel M] [--plan PREFIX] [-v]
+// it (NAME.semantics.json, or names in the model): rooms, doors, windows, and how well the portals
+// fit.
+//   score_cells MODEL.glb SEMANTICS.json [--doors P] [--windows P] [--voxel M] [--turn DEGREES]
+//     [--plan PREFIX] [-v]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <set>
 
@@ -21,6 +24,7 @@ namespace {
 struct Options {
   std::string model, semantics, doors, windows, plan;
   CellParameters cells;
+  float turn = 0;  ///< [degrees] about +Y, of the building
   bool verbose = false;
 };
 
@@ -34,6 +38,8 @@ Options parse(int argc, char** argv) {
       options.verbose = true;
     } else if (a == "--voxel") {
       options.cells.voxel = std::stof(next());
+    } else if (a == "--turn") {
+      options.turn = std::stof(next());
     } else if (a.rfind("--", 0) == 0) {
       (a == "--doors" ? options.doors : a == "--windows" ? options.windows : options.plan) = next();
     } else {
@@ -110,13 +116,20 @@ std::size_t nearestPortal(const CutCells& cut, const glm::vec3& center) {
   return best;
 }
 
-/// A room that no cell matches (a roof terrace, say) counts as outside.
+/// Whether the portal's cells are the opening's rooms.  Outside, or in no room: the exterior, or a
+/// cell that is no room of the truth; so too a room that no cell matches (a roof terrace, say).
 bool joinsRightCells(const Portal& portal, const TrueOpening& opening, const Truth& truth) {
-  std::set<int> wanted;
-  for (const int room : opening.rooms) {
-    wanted.insert(room < 0 ? 0 : std::max(0, truth.rooms[std::size_t(room)].cell));
-  }
-  return wanted == std::set<int>{int(portal.front), int(portal.back)};
+  if (!opening.rooms_known) return true;
+  const auto cellOf = [&](int room) {
+    return room < 0 ? 0 : std::max(0, truth.rooms[std::size_t(room)].cell);
+  };
+  const auto roomCell = [&](CellId cell) {
+    const bool is_room = std::any_of(truth.rooms.begin(), truth.rooms.end(),
+                                     [&](const TrueRoom& room) { return room.cell == int(cell); });
+    return is_room ? int(cell) : 0;
+  };
+  const std::multiset<int> wanted{cellOf(opening.rooms[0]), cellOf(opening.rooms[1])};
+  return wanted == std::multiset<int>{roomCell(portal.front), roomCell(portal.back)};
 }
 
 void scoreOpening(const CutCells& cut, const Truth& truth, const TrueOpening& opening, bool verbose,
@@ -178,7 +191,11 @@ std::vector<ObjectRole> rolesOf(const Building& building, const Options& options
 void run(const Options& options) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
-  const Building building = readGltf(options.model);
+  Building building = readGltf(options.model);
+  const glm::mat4 turned =
+      glm::rotate(glm::mat4(1), glm::radians(options.turn), glm::vec3(0, 1, 0));
+  for (Node& node : building.nodes) node.world_from_node = turned * node.world_from_node;
+  const AuthoredNames names = takeAuthoredNames(building);
   const auto roles = rolesOf(building, options);
   const auto start = Clock::now();
   const VoxelGrid grid = voxelise(building, roles, options.cells.voxel);
@@ -193,7 +210,11 @@ void run(const Options& options) {
   for (const Storey& s : cut.graph.storeys) fmt::print("{} at {:.2f}\n", s.name, s.floor_y);
   for (const std::string& line : cut.log) fmt::print("  log: {}\n", line);
   Truth truth;
-  if (!options.semantics.empty()) truth = readTruth(options.semantics, grid);
+  if (!options.semantics.empty()) {
+    truth = readTruth(options.semantics, grid, glm::mat3(turned));
+  } else if (!names.empty()) {
+    truth = authoredTruth(names, grid);
+  }
   scoreRooms(grid, cut, truth, options.verbose);
   scorePortals(cut, truth, options.verbose);
   if (options.plan.empty()) return;

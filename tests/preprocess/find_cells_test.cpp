@@ -290,6 +290,177 @@ TEST(FindCells, ACrackBetweenRoomsIsClosedOrTheRoomsAreOne) {
   }
 }
 
+TEST(FindCells, BarsDivideAWindowIntoNoMoreThanOne) {
+  for (const float degrees : {0.0f, 17.0f}) {
+    SCOPED_TRACE(degrees);
+    TestBuilding test;
+    test.turn(degrees * std::numbers::pi_v<float> / 180);
+    shell(test, 5, 5, {{1.0f, 3.0f, 0.7f, 2.3f}});
+    for (const float x : {1.5f, 2.0f, 2.5f}) {
+      test.box({x - 0.03f, 0.7f, -0.03f}, {x + 0.03f, 2.3f, 0.03f});
+    }
+    test.box({1.0f, 1.47f, -0.03f}, {3.0f, 1.53f, 0.03f});
+    const Found found = find(test);
+    ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+    const Portal& window = found.cut.graph.portals[0];
+    EXPECT_EQ(window.kind, PortalKind::kWindow);
+    EXPECT_NEAR(widthOf(window), 2.0f, 0.1f);
+    EXPECT_NEAR(heightOf(window), 1.6f, 0.1f);
+  }
+}
+
+TEST(FindCells, TwoWindowsWithAPierBetweenStayTwo) {
+  TestBuilding test;
+  shell(test, 6, 5, {{1.0f, 2.0f, 0.9f, 2.2f}, {2.4f, 3.4f, 0.9f, 2.2f}});
+  const Found found = find(test);
+  EXPECT_EQ(portalsOf(found, PortalKind::kWindow).size(), 2u) << story(found);
+}
+
+TEST(FindCells, ARoomWhoseWallsAreAllWindowIsARoom) {
+  TestBuilding test;
+  const float high = 3.6f;
+  test.slab(-0.1f, -0.1f, 8.1f, 5.1f, 0.0f);
+  test.slab(-0.1f, -0.1f, 8.1f, 5.1f, high + 0.2f);
+  const std::vector<TestBuilding::Hole> bays{
+      {0.4f, 2.2f, 0.5f, 3.1f}, {2.6f, 4.4f, 0.5f, 3.1f}, {4.8f, 6.6f, 0.5f, 3.1f}};
+  for (const float z : {0.0f, 5.0f}) test.wall(true, z, -0.1f, 8.1f, 0, high, bays);
+  const std::vector<TestBuilding::Hole> ends{{0.5f, 2.2f, 0.5f, 3.1f}, {2.7f, 4.5f, 0.5f, 3.1f}};
+  for (const float x : {0.0f, 8.0f}) test.wall(false, x, 0.1f, 4.9f, 0, high, ends);
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 2u) << story(found);
+  EXPECT_EQ(portalsOf(found, PortalKind::kWindow).size(), 10u) << story(found);
+}
+
+TEST(FindCells, TheInsideOfALargePierIsNoRoom) {
+  TestBuilding test;
+  shell(test, 9, 6);
+  test.box({3, 0, 0.1f}, {6, kHeight, 3});
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 2u) << story(found);
+}
+
+TEST(FindCells, ASealedRoomBetweenWallsIsARoomStill) {
+  TestBuilding test;
+  twoRooms(test);
+  test.wall(false, 6.0f, 0.1f, 4.9f, 0, kHeight);  // its faces look into the rooms
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 4u) << story(found);
+}
+
+TEST(FindCells, ADoorwayInAWallOfAMetreIsADoor) {
+  TestBuilding test;
+  shell(test, 10, 5);
+  test.wall(false, 5.0f, 0.1f, 4.9f, 0, kHeight, {{1.5f, 2.8f, 0, 2.1f}}, 1.1f);
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  const auto doors = portalsOf(found, PortalKind::kDoor);
+  ASSERT_EQ(doors.size(), 1u) << story(found);
+  EXPECT_NEAR(widthOf(doors[0]), 1.3f, 0.1f);
+  EXPECT_LT(std::abs(doors[0].center().x - 5.0f), 0.56f) << "within the wall";
+}
+
+TEST(FindCells, RoomsThatTouchOnlyThroughTheOutsideAreJoinedByIt) {
+  TestBuilding test;
+  for (const float x : {0.0f, 8.0f}) {
+    for (const float top : {0.0f, kHeight + 0.2f}) test.slab(x - 0.1f, -0.1f, x + 4.1f, 4.1f, top);
+    for (const float z : {0.0f, 4.0f}) test.wall(true, z, x - 0.1f, x + 4.1f, 0, kHeight);
+    const std::vector<TestBuilding::Hole> door{{1.5f, 2.4f, 0, 2.05f}};
+    test.wall(false, x, 0.1f, 3.9f, 0, kHeight, x > 0 ? door : std::vector<TestBuilding::Hole>{});
+    test.wall(false, x + 4, 0.1f, 3.9f, 0, kHeight,
+              x > 0 ? std::vector<TestBuilding::Hole>{} : door);
+  }
+  test.slab(-4, -4, 16, 8, -0.2f);  // the ground
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  ASSERT_EQ(found.cut.graph.portals.size(), 2u) << story(found);
+  for (const Portal& door : found.cut.graph.portals) {
+    EXPECT_EQ(door.kind, PortalKind::kDoor);
+    EXPECT_EQ(std::min(door.front, door.back), kExterior);
+  }
+}
+
+TEST(FindCells, AHoleBelowTheSmallestDoorIsNoDoor) {
+  TestBuilding test;
+  shell(test, 8, 5);
+  test.wall(false, 4.0f, 0.1f, 4.9f, 0, kHeight, {{2.0f, 2.4f, 0.8f, 1.2f}});
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << "one sees through it\n" << story(found);
+  EXPECT_NE(found.cut.graph.portals[0].kind, PortalKind::kDoor);
+}
+
+TEST(FindCells, AWindowInADoorIsPartOfTheDoor) {
+  TestBuilding test;
+  twoRooms(test);
+  test.box({3.97f, 0, 2.0f}, {4.03f, 1.2f, 2.9f}, ObjectRole::kDoor);
+  test.box({3.97f, 1.2f, 2.0f}, {4.03f, 2.05f, 2.2f}, ObjectRole::kDoor);
+  test.box({3.97f, 1.2f, 2.7f}, {4.03f, 2.05f, 2.9f}, ObjectRole::kDoor);
+  test.box({3.99f, 1.2f, 2.2f}, {4.01f, 2.05f, 2.7f}, ObjectRole::kFixed, true);
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+  EXPECT_EQ(found.cut.graph.portals[0].kind, PortalKind::kDoor);
+  EXPECT_NEAR(heightOf(found.cut.graph.portals[0]), 2.05f, 0.1f);
+}
+
+TEST(FindCells, AGarageDoorJoinsTheGarageToTheOutside) {
+  TestBuilding test;
+  shell(test, 7, 6, {{1.0f, 6.0f, 0, 2.2f}});
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.cells.size(), 2u) << story(found);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+  EXPECT_NEAR(widthOf(found.cut.graph.portals[0]), 5.0f, 0.1f);
+  EXPECT_NEAR(heightOf(found.cut.graph.portals[0]), 2.2f, 0.1f);
+}
+
+TEST(FindCells, ARoundRoomHasItsDoor) {
+  TestBuilding test;
+  shell(test, 10, 10);
+  constexpr int kSides = 32;
+  for (int i = 0; i < kSides; ++i) {
+    test.turn(0);
+    const float angle = 2 * std::numbers::pi_v<float> * float(i) / kSides;
+    test.turn(angle, {5, 0, 5});
+    const float half = 3.0f * std::tan(std::numbers::pi_v<float> / kSides) + 0.02f;
+    // Three of its sides are the doorway.
+    const bool door = i >= 4 && i <= 6;
+    test.box({7.9f, door ? 2.1f : 0.0f, 5 - half}, {8.1f, kHeight, 5 + half});
+  }
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+  const Portal& door = found.cut.graph.portals[0];
+  EXPECT_EQ(door.kind, PortalKind::kDoor);
+  EXPECT_NEAR(widthOf(door), 1.75f, 0.3f);
+  EXPECT_NEAR(glm::distance(glm::vec2(door.center().x, door.center().z), glm::vec2(5, 5)), 3.0f,
+              0.2f);
+}
+
+TEST(FindCells, ASpiralStairJoinsTwoStoreysOnce) {
+  TestBuilding test;
+  test.slab(-0.1f, -0.1f, 8.1f, 8.1f, 0.0f);
+  test.slab(-0.1f, -0.1f, 8.1f, 8.1f, 6.0f);
+  test.slab(-0.1f, -0.1f, 3.0f, 8.1f, 3.0f, 0.3f);
+  test.slab(5.0f, -0.1f, 8.1f, 8.1f, 3.0f, 0.3f);
+  test.slab(3.0f, -0.1f, 5.0f, 3.0f, 3.0f, 0.3f);
+  test.slab(3.0f, 5.0f, 5.0f, 8.1f, 3.0f, 0.3f);
+  for (const float z : {0.0f, 8.0f}) test.wall(true, z, -0.1f, 8.1f, 0, 5.8f);
+  for (const float x : {0.0f, 8.0f}) test.wall(false, x, 0.1f, 7.9f, 0, 5.8f);
+  for (int i = 0; i < 15; ++i) {
+    test.turn(0.35f * float(i), {4, 0, 4});
+    const float top = 0.2f * float(i + 1);
+    test.box({4.1f, top - 0.05f, 3.8f}, {4.95f, top, 4.2f});
+  }
+  test.turn(0);
+  test.box({3.92f, 0, 3.92f}, {4.08f, 4.0f, 4.08f});
+  const Found found = find(test);
+  ASSERT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+  const Portal& well = found.cut.graph.portals[0];
+  EXPECT_EQ(well.kind, PortalKind::kOpening);
+  EXPECT_GT(std::abs(well.plane.normal.y), 0.99f);
+  EXPECT_NEAR(well.area(), 4.0f, 0.9f);
+}
+
 TEST(FindCells, EveryFreeVoxelThatCanBeReachedIsOwned) {
   TestBuilding test;
   twoStoreys(test);

@@ -20,8 +20,12 @@ class TestBuilding {
     building.materials[1].alpha_mode = AlphaMode::kBlend;
   }
 
-  /// Turns all that is added from now on about +Y [rad], about the world's origin.
-  void turn(float angle) { turned_ = glm::rotate(glm::mat4(1), angle, glm::vec3(0, 1, 0)); }
+  /// Turns all that is added from now on about the line along +Y through `pivot` [rad].
+  void turn(float angle, const glm::vec3& pivot = glm::vec3(0)) {
+    turned_ = glm::translate(glm::mat4(1), pivot);
+    turned_ = glm::rotate(turned_, angle, glm::vec3(0, 1, 0));
+    turned_ = glm::translate(turned_, -pivot);
+  }
 
   /// A closed box; `glass` gives it blended material.
   void box(const glm::vec3& lo, const glm::vec3& hi, ObjectRole role = ObjectRole::kFixed,
