@@ -65,12 +65,15 @@ void addCellOptions(CLI::App& command, PreprocessParameters& parameters) {
   command
       .add_option("--doors", parameters.doors,
                   "Names of openable doors: no obstacle, not drawn while walking; wildcards * and "
-                  "?, several joined by commas")
+                  "?, several joined by commas, '' for none; unless told otherwise IfcDoor* and "
+                  "Door or door with a number")
       ->type_name("NAMES")
       ->group(kGroup);
   command
-      .add_option("--windows", parameters.windows,
-                  "Names of windows that can be seen through; see-through material always can")
+      .add_option(
+          "--windows", parameters.windows,
+          "Names of windows that can be seen through; see-through material always can; unless "
+          "told otherwise IfcWindow* and Window or window with a number")
       ->type_name("NAMES")
       ->group(kGroup);
   CLI::Option* automatic = command.add_flag(

@@ -14,6 +14,7 @@
 #include "preprocess/cut_cells.h"
 #include "preprocess/given_cells.h"
 #include "preprocess/house_folder.h"
+#include "preprocess/object_roles.h"
 #include "preprocess/share_geometry.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -54,19 +55,6 @@ class Stages {
   const ProgressSink& sink_;
   std::vector<StageTime>& times_;
 };
-
-std::vector<ObjectRole> rolesOf(const Building& building, const PreprocessParameters& parameters) {
-  std::vector<ObjectRole> roles;
-  for (const Object& object : building.objects) {
-    ObjectRole role = ObjectRole::kFixed;
-    if (matchesName(building, object, parameters.doors))
-      role = ObjectRole::kDoor;
-    else if (matchesName(building, object, parameters.windows))
-      role = ObjectRole::kGlass;
-    roles.push_back(role);
-  }
-  return roles;
-}
 
 std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p) {
   const auto number = [](auto value) { return fmt::format("{}", value); };
@@ -134,7 +122,7 @@ CellProposal proposeCells(CellSource source, const Building& model,
 House makeHouse(Building model, const PreprocessParameters& parameters,
                 const std::optional<GivenGraph>& given, Stages& stages) {
   const AuthoredNames names = takeAuthoredNames(model);
-  const std::vector<ObjectRole> roles = rolesOf(model, parameters);
+  std::vector<ObjectRole> roles = namedRoles(model, parameters.doors, parameters.windows);
   const VoxelGrid voxels =
       stages.run("voxelise", [&] { return voxelise(model, roles, parameters.cells.voxel); });
   const CellSource source = given                                     ? CellSource::kGiven
@@ -146,6 +134,7 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   });
   if (source == CellSource::kAuthored) compareWithAuthor(names, cells);
   if (source == CellSource::kGiven) compareWithGiven(*given, cells);
+  fixDoorsWithoutPortals(model, cells, roles);
   SharedGeometry shared = stages.run("share out the geometry", [&] {
     const Patches patches = makePatches(model);
     PatchCells claims = claimByTouch(model, patches, voxels, cells);
@@ -181,8 +170,8 @@ std::optional<GivenGraph> takeGivenGraph(const std::string& folder,
     throw Error(ErrorKind::kUsage, parameters.graph,
                 "would be replaced: choose another folder for the new house");
   }
-  if (parameters.doors.empty()) parameters.doors = given.doors;
-  if (parameters.windows.empty()) parameters.windows = given.windows;
+  if (parameters.doors == kUsualDoors) parameters.doors = given.doors;
+  if (parameters.windows == kUsualWindows) parameters.windows = given.windows;
   return given;
 }
 

@@ -6,15 +6,17 @@
 #include "ibr/image_parameters.h"
 #include "portals/house.h"
 #include "preprocess/cell_proposal.h"
+#include "preprocess/object_roles.h"
 #include "preprocess/progress.h"
 
 namespace enfilade {
 
 /// Everything that preprocessing can be told.
 struct PreprocessParameters {
-  std::string doors;  ///< name patterns of openable doors, joined by commas; empty: none
-  std::string
-      windows;  ///< name patterns of windows that can be seen through; blended material always is
+  /// Name patterns of openable doors, joined by commas; empty: none.
+  std::string doors = kUsualDoors;
+  /// Name patterns of windows that can be seen through; blended material always is.
+  std::string windows = kUsualWindows;
   std::string graph;  ///< a house.json whose cells and portals are taken as given, see
                       ///< readGivenGraph(), with its doors and windows where none are named here;
                       ///< empty: none.  It must not lie in the house's own folder.

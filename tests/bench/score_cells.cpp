@@ -15,6 +15,7 @@
 #include "cell_plan.h"
 #include "cell_truth.h"
 #include "preprocess/cut_cells.h"
+#include "preprocess/object_roles.h"
 #include "scene/error.h"
 #include "scene/gltf_reader.h"
 
@@ -22,7 +23,8 @@ namespace enfilade {
 namespace {
 
 struct Options {
-  std::string model, semantics, doors, windows, plan;
+  std::string model, semantics, plan;
+  std::string doors = kUsualDoors, windows = kUsualWindows;
   CellParameters cells;
   float turn = 0;  ///< [degrees] about +Y, of the building
   bool verbose = false;
@@ -178,16 +180,6 @@ void scorePortals(const CutCells& cut, const Truth& truth, bool verbose) {
              cut.graph.portals.size(), cut.graph.portals.size() - scores.used.size());
 }
 
-std::vector<ObjectRole> rolesOf(const Building& building, const Options& options) {
-  std::vector<ObjectRole> roles;
-  for (const Object& object : building.objects) {
-    roles.push_back(matchesName(building, object, options.doors)     ? ObjectRole::kDoor
-                    : matchesName(building, object, options.windows) ? ObjectRole::kGlass
-                                                                     : ObjectRole::kFixed);
-  }
-  return roles;
-}
-
 void run(const Options& options) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
@@ -196,7 +188,7 @@ void run(const Options& options) {
       glm::rotate(glm::mat4(1), glm::radians(options.turn), glm::vec3(0, 1, 0));
   for (Node& node : building.nodes) node.world_from_node = turned * node.world_from_node;
   const AuthoredNames names = takeAuthoredNames(building);
-  const auto roles = rolesOf(building, options);
+  const auto roles = namedRoles(building, options.doors, options.windows);
   const auto start = Clock::now();
   const VoxelGrid grid = voxelise(building, roles, options.cells.voxel);
   const auto voxelised = Clock::now();
