@@ -16,6 +16,7 @@
 #include "preprocess/portal_kind.h"
 #include "preprocess/room_seeds.h"
 #include "preprocess/solid_insides.h"
+#include "preprocess/split_foot.h"
 #include "preprocess/storeys.h"
 #include "preprocess/wall_faces.h"
 
@@ -92,13 +93,26 @@ struct Fits {
   bool merged = false;
 };
 
-Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls,
-            const std::vector<Interface>& interfaces, CellProposal& proposal) {
+/// Fits a portal to every interface; parts those that no plane closes from the gap at their foot.
+Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls, std::vector<Interface>& interfaces,
+            CellProposal& proposal) {
   Fits fits;
   fits.into.resize(proposal.cell_storeys.size());
   std::iota(fits.into.begin(), fits.into.end(), std::uint16_t{0});
-  for (const Interface& interface : interfaces) {
-    fits.portals.push_back(fitPortal(voxels, walls, interface));
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    fits.portals.push_back(fitPortal(voxels, walls, interfaces[i]));
+    if (!fits.portals.back().fitted) {
+      if (auto parts = splitFoot(voxels, interfaces[i])) {
+        const FittedPortal upright = fitPortal(voxels, walls, parts->first);
+        if (upright.fitted) {
+          fits.portals.back() = upright;
+          interfaces[i] = std::move(parts->first);
+          interfaces.insert(interfaces.begin() + std::ptrdiff_t(i) + 1, std::move(parts->second));
+          continue;
+        }
+      }
+    }
+    const Interface& interface = interfaces[i];
     const float area = float(interface.faces.size()) * voxels.voxel * voxels.voxel;
     if (fits.portals.back().fitted || interface.planarity >= kPlanar || area < kLargeInterface) {
       continue;

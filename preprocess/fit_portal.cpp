@@ -68,7 +68,9 @@ SectionWindow windowFor(const VoxelGrid& voxels, const Interface& interface,
     hi = glm::max(hi, p);
   }
   window.lo = lo - kAround;
-  const glm::vec2 size = hi - lo + 2 * kAround;
+  window.footed = std::abs(axes[2].y) < 0.5f && std::isfinite(interface.foot);
+  if (window.footed) window.lo.y = interface.foot - interface.centroid.y;
+  const glm::vec2 size = hi + kAround - window.lo;
   window.pixel = std::max(0.5f * voxels.voxel, std::max(size.x, size.y) / float(kMostPixels));
   window.size_u = static_cast<int>(std::ceil(size.x / window.pixel));
   window.size_v = static_cast<int>(std::ceil(size.y / window.pixel));
@@ -192,7 +194,9 @@ FittedPortal rectangle(const SectionWindow& window, const Extent& extent, float 
 FittedPortal rawPortal(const VoxelGrid& voxels, const SectionWindow& window) {
   const glm::vec2 size = glm::vec2(window.size_u, window.size_v) * window.pixel;
   const glm::vec2 trim(kAround - 0.5f * voxels.voxel);
-  return rectangle(window, {window.lo + trim, window.lo + size - trim}, 0.0f);
+  glm::vec2 lo = window.lo + trim;
+  if (window.footed) lo.y = window.lo.y;
+  return rectangle(window, {lo, window.lo + size - trim}, 0.0f);
 }
 
 std::optional<FittedPortal> fitInFrame(const VoxelGrid& voxels, const WallFaces& walls,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "preprocess/voxel_grid.h"
@@ -16,6 +17,8 @@ struct Interface {
   glm::vec3 normal{0};              ///< unit, from `high` into `low`: the faces' normals summed
   float planarity = 0;  ///< 0…1: 1 if the faces run one way along each axis, 0 if they cancel out
   Box bounds;           ///< of the faces' centres [m]
+  /// [m] Where it ends below although free space does not: what passes there is another's.
+  float foot = -std::numeric_limits<float>::infinity();
 };
 
 /// Every interface of the grid's owners, by cells and then by place.

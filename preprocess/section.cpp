@@ -40,7 +40,8 @@ Section sectionAt(const VoxelGrid& voxels, const SectionWindow& window,
     ++section.count;
     section.first = glm::min(section.first, p);
     section.end = glm::max(section.end, p + 1);
-    section.open |= p.x == 0 || p.y == 0 || p.x + 1 == window.size_u || p.y + 1 == window.size_v;
+    section.open |= p.x == 0 || (p.y == 0 && !window.footed) || p.x + 1 == window.size_u ||
+                    p.y + 1 == window.size_v;
     for (const glm::ivec2 side : {glm::ivec2(-1, 0), {1, 0}, {0, -1}, {0, 1}}) visit(p + side);
   }
   return section;

@@ -16,6 +16,7 @@ struct SectionWindow {
   glm::vec2 lo{0};      ///< [m] least corner, along u and v from the centre
   float pixel = 0.05f;  ///< [m]
   int size_u = 0, size_v = 0;
+  bool footed = false;  ///< it ends at its least v: what is free beyond does not make it open
 
   glm::vec3 pointAt(int u, int v, float n) const {
     return center + axes * glm::vec3(lo + (glm::vec2(u, v) + 0.5f) * pixel, n);

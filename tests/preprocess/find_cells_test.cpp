@@ -359,6 +359,28 @@ TEST(FindCells, ADoorwayInAWallOfAMetreIsADoor) {
   EXPECT_LT(std::abs(doors[0].center().x - 5.0f), 0.56f) << "within the wall";
 }
 
+TEST(FindCells, ADoorOverAGapInTheFloorKeepsItsRoom) {
+  for (const float degrees : {0.0f, 8.0f, 17.0f, 33.0f}) {
+    SCOPED_TRACE(degrees);
+    TestBuilding test;
+    test.turn(degrees * std::numbers::pi_v<float> / 180);
+    test.slab(-6, -6, 11, 11, -0.6f);  // the ground, under the house too
+    // The floor ends at the walls' inner faces, so that a gap of 0.2 m is left in the doorway.
+    test.slab(0.1f, 0.1f, 4.9f, 4.9f, 0.0f);
+    test.slab(-0.1f, -0.1f, 5.1f, 5.1f, kHeight + 0.2f);
+    test.wall(true, 0.0f, -0.1f, 5.1f, -0.2f, kHeight);
+    test.wall(true, 5.0f, -0.1f, 5.1f, -0.2f, kHeight);
+    test.wall(false, 0.0f, 0.1f, 4.9f, -0.2f, kHeight, {{2.0f, 2.9f, -0.2f, 2.1f}});
+    test.wall(false, 5.0f, 0.1f, 4.9f, -0.2f, kHeight);
+    const Found found = find(test);
+    ASSERT_EQ(found.cut.graph.cells.size(), 2u) << story(found);
+    const auto doors = portalsOf(found, PortalKind::kDoor);
+    ASSERT_EQ(doors.size(), 1u) << story(found);
+    EXPECT_NEAR(widthOf(doors[0]), 0.9f, 0.1f);
+    EXPECT_NEAR(doors[0].center().y, 1.05f, 0.25f);
+  }
+}
+
 TEST(FindCells, RoomsThatTouchOnlyThroughTheOutsideAreJoinedByIt) {
   TestBuilding test;
   for (const float x : {0.0f, 8.0f}) {
