@@ -46,11 +46,6 @@ std::vector<std::size_t> bySize(const AuthoredNames& names) {
   return order;
 }
 
-bool inside(const AuthoredNames::Room& room, const glm::vec3& p) {
-  return std::all_of(room.bound_planes.begin(), room.bound_planes.end(),
-                     [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
-}
-
 void giveVoxels(const AuthoredNames& names, const VoxelGrid& grid, CellProposal& proposal) {
   proposal.owner.assign(grid.bits.size(), CellProposal::kNobody);
   for (const std::size_t r : bySize(names)) {
@@ -63,7 +58,7 @@ void giveVoxels(const AuthoredNames& names, const VoxelGrid& grid, CellProposal&
         for (int y = first.y; y <= last.y; ++y) {
           const std::size_t i = grid.index(x, y, z);
           if ((grid.bits[i] & kVoxelSolid) || proposal.owner[i] != CellProposal::kNobody) continue;
-          if (inside(room, grid.centerOf({x, y, z}))) {
+          if (room.withinPlanes(grid.centerOf({x, y, z}))) {
             proposal.owner[i] = static_cast<std::uint16_t>(r + 1);
           }
         }
@@ -73,6 +68,11 @@ void giveVoxels(const AuthoredNames& names, const VoxelGrid& grid, CellProposal&
 }
 
 }  // namespace
+
+bool AuthoredNames::Room::withinPlanes(const glm::vec3& p) const {
+  return std::all_of(bound_planes.begin(), bound_planes.end(),
+                     [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+}
 
 CellProposal authoredCells(const AuthoredNames& names, const VoxelGrid& voxels) {
   CellProposal proposal;

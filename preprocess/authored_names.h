@@ -18,6 +18,9 @@ struct AuthoredNames {
     std::string name;
     Box bounds;                       ///< of what belongs to it [m]
     std::vector<Plane> bound_planes;  ///< of its convex bound, inside ≥ 0; empty: `bounds` alone
+
+    /// Whether a point of its bounds is the room's, by its planes.
+    bool withinPlanes(const glm::vec3& p) const;
   };
   struct NamedPortal {
     Portal portal;         ///< polygon as seen from its room; front and back not yet known

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ibr/capture_plan.h"
+#include "preprocess/authored_diagnosis.h"
 #include "preprocess/authored_names.h"
 #include "preprocess/bake_images.h"
 #include "preprocess/cut_cells.h"
@@ -75,22 +76,6 @@ std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p)
   return texts;
 }
 
-// What the author said of a portal and what the voxels say, where they differ.
-void compareWithAuthor(const AuthoredNames& names, CutCells& cells) {
-  for (const auto& named : names.portals) {
-    for (const Portal& portal : cells.graph.portals) {
-      if (portal.name != named.portal.name) continue;
-      const std::string& front = cells.graph.cells[portal.front].name;
-      const std::string& back = cells.graph.cells[portal.back].name;
-      const bool from_there = named.from.empty() || front == named.from || back == named.from;
-      const bool to_there = named.to.empty() || front == named.to || back == named.to;
-      if (from_there && to_there) continue;
-      cells.log.push_back(fmt::format("{} is said to join {} and {}; it joins {} and {}",
-                                      portal.name, named.from, named.to, front, back));
-    }
-  }
-}
-
 std::map<std::string, double> statisticsOf(const House& house, const Building& model) {
   std::size_t doors = 0;
   for (const ObjectRole role : house.object_roles) doors += role == ObjectRole::kDoor;
@@ -132,7 +117,7 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
     return cutCells(voxels,
                     proposeCells(source, model, roles, voxels, names, given, parameters.cells));
   });
-  if (source == CellSource::kAuthored) compareWithAuthor(names, cells);
+  if (source == CellSource::kAuthored) diagnoseAuthored(names, voxels, cells);
   if (source == CellSource::kGiven) compareWithGiven(*given, cells);
   fixDoorsWithoutPortals(model, cells, roles);
   SharedGeometry shared = stages.run("share out the geometry", [&] {
