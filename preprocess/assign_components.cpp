@@ -1,7 +1,5 @@
 #include "preprocess/assign_components.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -67,8 +65,7 @@ Assignment assignComponents(const ComponentFacts& facts, const CellProposal& pro
       const std::uint16_t kept = std::min(find(owner), find(main));
       const std::uint16_t gone = std::max(find(owner), find(main));
       merged[gone] = kept;
-      out.log.push_back(fmt::format("merged {} into {}: no portal closes the way between them",
-                                    proposal.cell_names[gone], proposal.cell_names[kept]));
+      out.merges.push_back({gone, kept, owner, main});
     }
   }
   for (std::uint16_t& cell : out.cell_of_component) {

@@ -28,8 +28,13 @@ ComponentFacts gatherFacts(const VoxelGrid& grid, const FreeComponents& componen
 /// The proposed cell that each component belongs to, proposed cells that leak into each other made
 /// one.
 struct Assignment {
+  /// Two proposed cells between which no portal closes the way.
+  struct Merge {
+    std::uint16_t gone = 0, kept = 0;    ///< as which they go on
+    std::uint16_t leaked = 0, into = 0;  ///< of those that they were made of, these are joined
+  };
   std::vector<std::uint16_t> cell_of_component;  ///< CellProposal::kNobody: none
-  std::vector<std::string> log;
+  std::vector<Merge> merges;
 };
 
 Assignment assignComponents(const ComponentFacts& facts, const CellProposal& proposal);

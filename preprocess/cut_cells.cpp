@@ -8,6 +8,7 @@
 
 #include "preprocess/assign_components.h"
 #include "preprocess/free_components.h"
+#include "preprocess/leak.h"
 #include "preprocess/portal_polygon.h"
 
 namespace enfilade {
@@ -70,7 +71,7 @@ struct Attempt {
   std::vector<std::uint8_t> cut;
   FreeComponents components;
   std::uint16_t cells = 0;  // proposed and new
-  std::vector<std::string> log;
+  std::vector<Assignment::Merge> merges;
 };
 
 Attempt attemptCut(const VoxelGrid& grid, const CellProposal& proposal,
@@ -81,7 +82,7 @@ Attempt attemptCut(const VoxelGrid& grid, const CellProposal& proposal,
   const ComponentFacts facts = gatherFacts(grid, out.components, proposal);
   Assignment assignment = assignComponents(facts, proposal);
   out.cell_of_component = std::move(assignment.cell_of_component);
-  out.log = std::move(assignment.log);
+  out.merges = std::move(assignment.merges);
   out.cells = static_cast<std::uint16_t>(proposal.cell_names.size());
   const float least_volume = kLeastNewCell / (grid.voxel * grid.voxel * grid.voxel);
   // Free space that no one proposed but that a portal opens to is a cell, unless it is a mere
@@ -199,6 +200,17 @@ std::vector<CellGrid::Label> makeLabels(const VoxelGrid& grid, const Attempt& at
   return labels;
 }
 
+std::string mergeText(const VoxelGrid& voxels, const CellProposal& proposal,
+                      const std::vector<std::uint8_t>& cut, const Assignment::Merge& merge) {
+  const auto leak = findLeak(voxels, cut, proposal.owner, merge.leaked, merge.into);
+  const std::string place = leak ? fmt::format(", which leads through ({:.1f}, {:.1f}, {:.1f})",
+                                               leak->x, leak->y, leak->z)
+                                 : std::string();
+  return fmt::format("{}merged {} into {}: no portal closes the way between them{}",
+                     merge.kept == kExterior ? "LEAK: " : "", proposal.cell_names[merge.gone],
+                     proposal.cell_names[merge.kept], place);
+}
+
 }  // namespace
 
 CutCells cutCells(const VoxelGrid& voxels, const CellProposal& proposal) {
@@ -216,7 +228,9 @@ CutCells cutCells(const VoxelGrid& voxels, const CellProposal& proposal) {
     }
     attempt = attemptCut(voxels, proposal, portals);
   }
-  out.log.insert(out.log.end(), attempt.log.begin(), attempt.log.end());
+  for (const Assignment::Merge& merge : attempt.merges) {
+    out.log.push_back(mergeText(voxels, proposal, attempt.cut, merge));
+  }
   const std::vector<CellId> ids = compactIds(attempt);
   out.graph = makeGraph(voxels, proposal, attempt, ids);
   out.labels = makeLabels(voxels, attempt, ids);
