@@ -1,6 +1,9 @@
 #include "preprocess/room_seeds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -108,6 +111,24 @@ void seedSky(const VoxelGrid& voxels, int lowest, RoomSeeds& seeds) {
   }
 }
 
+/// What --smallest-room would have to be for more rooms; the largest few of each storey.
+void tellSmallRooms(const VoxelGrid& voxels, const CellParameters& parameters, std::size_t storey,
+                    const StoreyPlan& plan, RoomSeeds& seeds) {
+  constexpr std::size_t kMost = 3;
+  const std::vector<SmallRoom> rooms = smallRooms(voxels, parameters, plan);
+  for (std::size_t i = 0; i < std::min(kMost, rooms.size()); ++i) {
+    seeds.log.push_back(
+        fmt::format("storey {}: {:.1f} m² at ({:.1f}, {:.1f}) are no room; --smallest-room {:.1f} "
+                    "makes them one",
+                    storey + 1, rooms[i].area, rooms[i].at.x, rooms[i].at.y,
+                    std::floor(rooms[i].area * 10) / 10));
+  }
+  if (rooms.size() > kMost) {
+    seeds.log.push_back(
+        fmt::format("storey {}: {} more are smaller still", storey + 1, rooms.size() - kMost));
+  }
+}
+
 /// Where a roofless model's rooms end.
 int highestCeiling(const StoreyPlan& plan) {
   int highest = 0;
@@ -137,6 +158,7 @@ RoomSeeds seedRooms(const VoxelGrid& voxels, const std::vector<StoreyBand>& stor
       seeds.log.push_back("storey " + std::to_string(s + 1) + ": " + std::to_string(porches) +
                           " porches belong to the exterior");
     }
+    tellSmallRooms(voxels, parameters, s, rooms.plans[s], seeds);
     labelStorey(voxels.voxel, s, rooms, seeds);
     seedStorey(voxels, rooms, s, seeds);
   }

@@ -10,6 +10,7 @@ namespace {
 constexpr float kSkyShare = 0.5f;     // more of a basin open to the sky: exterior
 constexpr float kPorchShare = 0.3f;   // more of its outline open to the exterior: a porch
 constexpr float kWalledShare = 0.7f;  // of its outline: enclosed, though there be no roof
+constexpr float kNiche = 0.45f;       // [m²] smaller basins are not worth a word
 constexpr float kRoofless = 3.0f;     // times more enclosed plan without a roof than with one
 
 constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
@@ -147,6 +148,34 @@ bool isRoofless(const std::vector<StoreyPlan>& plans) {
     }
   }
   return without > double(kRoofless) * with;
+}
+
+std::vector<SmallRoom> smallRooms(const VoxelGrid& voxels, const CellParameters& parameters,
+                                  const StoreyPlan& plan) {
+  const float pixel_area = voxels.voxel * voxels.voxel;
+  std::vector<glm::vec2> sums(plan.uses.size(), glm::vec2(0));
+  for (int x = 0; x < plan.slice.size_x; ++x) {
+    for (int z = 0; z < plan.slice.size_z; ++z) {
+      const std::int32_t basin = plan.basins.of_pixel[plan.slice.index(x, z)];
+      if (basin == Basins::kNone) continue;
+      const glm::vec3 center = voxels.centerOf({x, 0, z});
+      sums[std::size_t(basin)] += glm::vec2(center.x, center.z);
+    }
+  }
+  std::vector<SmallRoom> rooms;
+  for (std::size_t b = 0; b < plan.uses.size(); ++b) {
+    const PlanBasin& use = plan.uses[b];
+    const float area = float(use.area) * pixel_area;
+    const bool wide = plan.basins.peak[b] * voxels.voxel >= 0.5f * parameters.smallest_door;
+    if (use.use != PlanBasin::Use::kTooSmall || area < kNiche || !wide ||
+        area >= parameters.smallest_room || float(use.walled) < 0.5f * float(use.border)) {
+      continue;
+    }
+    rooms.push_back({sums[b] / float(use.area), area});
+  }
+  std::stable_sort(rooms.begin(), rooms.end(),
+                   [](const SmallRoom& a, const SmallRoom& b) { return a.area > b.area; });
+  return rooms;
 }
 
 int classifyBasins(const VoxelGrid& voxels, const CellParameters& parameters, bool roofless,

@@ -36,6 +36,17 @@ StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
 /// Whether hardly any enclosed basin has a roof.
 bool isRoofless(const std::vector<StoreyPlan>& plans);
 
+/// A basin that would be a room if smaller ones were.
+struct SmallRoom {
+  glm::vec2 at{0};  ///< [m] x and z of its middle
+  float area = 0;   ///< [m²]
+};
+
+/// Basins that are too small to be rooms but no mere niches: at least 0.45 m², half of it within
+/// walls, and as wide as the smallest door.  Largest first.
+std::vector<SmallRoom> smallRooms(const VoxelGrid& voxels, const CellParameters& parameters,
+                                  const StoreyPlan& plan);
+
 /// Decides what is exterior and what is too small to be a room, and sets the ceilings.  Returns the
 /// number of porches that went to the exterior.
 int classifyBasins(const VoxelGrid& voxels, const CellParameters& parameters, bool roofless,

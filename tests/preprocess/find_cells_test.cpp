@@ -411,6 +411,23 @@ TEST(FindCells, AHoleBelowTheSmallestDoorIsNoDoor) {
   EXPECT_NE(found.cut.graph.portals[0].kind, PortalKind::kDoor);
 }
 
+TEST(FindCells, AClosetBelowTheSmallestRoomIsToldWithWhatWouldMakeItOne) {
+  TestBuilding test;
+  shell(test, 8, 5);
+  test.wall(false, 1.1f, 0.1f, 1.2f, 0, kHeight, {{0.3f, 0.9f, 0, 2.0f}});
+  test.wall(true, 1.1f, 0.1f, 1.2f, 0, kHeight);
+  CellParameters parameters;
+  const Found without = find(test, parameters);
+  EXPECT_EQ(without.cut.graph.cells.size(), 2u) << story(without);
+  const std::string log = story(without);
+  const std::size_t at = log.find("--smallest-room ");
+  ASSERT_NE(at, std::string::npos) << log;
+  parameters.smallest_room = std::stof(log.substr(at + 16));
+  EXPECT_LT(parameters.smallest_room, 1.0f);
+  const Found with = find(test, parameters);
+  EXPECT_EQ(with.cut.graph.cells.size(), 3u) << story(with);
+}
+
 TEST(FindCells, AWindowInADoorIsPartOfTheDoor) {
   TestBuilding test;
   twoRooms(test);
