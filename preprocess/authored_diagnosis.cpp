@@ -44,10 +44,6 @@ void checkRooms(const AuthoredNames& names, CutCells& cells) {
   }
 }
 
-bool isIn(const Box& box, const glm::vec3& p) {
-  return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
-}
-
 /// Free voxels in both rooms, and in the first.
 std::pair<std::size_t, std::size_t> sharedVoxels(const AuthoredNames::Room& a,
                                                  const AuthoredNames::Room& b,
@@ -63,16 +59,11 @@ std::pair<std::size_t, std::size_t> sharedVoxels(const AuthoredNames::Room& a,
         const glm::vec3 p = grid.centerOf({x, y, z});
         if (!a.withinPlanes(p)) continue;
         ++first;
-        both += isIn(b.bounds, p) && b.withinPlanes(p);
+        both += b.bounds.contains(p) && b.withinPlanes(p);
       }
     }
   }
   return {both, first};
-}
-
-bool boxesMeet(const Box& a, const Box& b) {
-  return !a.empty() && !b.empty() && glm::all(glm::lessThan(a.min, b.max)) &&
-         glm::all(glm::lessThan(b.min, a.max));
 }
 
 void findOverlaps(const AuthoredNames& names, const VoxelGrid& grid, CutCells& cells) {
@@ -80,7 +71,7 @@ void findOverlaps(const AuthoredNames& names, const VoxelGrid& grid, CutCells& c
   for (std::size_t i = 0; i < names.rooms.size(); ++i) {
     for (std::size_t j = i + 1; j < names.rooms.size(); ++j) {
       const AuthoredNames::Room &a = names.rooms[i], &b = names.rooms[j];
-      if (!boxesMeet(a.bounds, b.bounds)) continue;
+      if (!a.bounds.overlaps(b.bounds)) continue;
       const auto [in_b, in_a] = sharedVoxels(a, b, grid);
       if (in_b == 0) continue;
       const auto [again, of_b] = sharedVoxels(b, a, grid);

@@ -1,14 +1,10 @@
 #include "preprocess/grow_cells.h"
 
 #include <algorithm>
-#include <array>
 
 namespace enfilade {
 
 namespace {
-
-constexpr std::array<glm::ivec3, 6> kSides{glm::ivec3{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1},
-                                           {0, -1, 0},           {0, 1, 0}};
 
 struct Grower {
   const VoxelGrid& voxels;
@@ -23,7 +19,7 @@ struct Grower {
   }
   bool crossFits(const glm::ivec3& v) const {
     if (!free(v)) return false;
-    for (const glm::ivec3& side : kSides) {
+    for (const glm::ivec3& side : kVoxelSides) {
       if (!free(v + side)) return false;
     }
     return true;
@@ -31,7 +27,7 @@ struct Grower {
   /// Whether `v` lies in a cross of free voxels.
   bool roomy(const glm::ivec3& v) const {
     if (crossFits(v)) return true;
-    for (const glm::ivec3& side : kSides) {
+    for (const glm::ivec3& side : kVoxelSides) {
       if (crossFits(v + side)) return true;
     }
     return false;
@@ -41,20 +37,13 @@ struct Grower {
            !(voxels.bits[index(v)] & kVoxelSolid);
   }
 
-  glm::ivec3 voxelAt(std::size_t i) const {
-    const auto size_y = static_cast<std::size_t>(voxels.size.y);
-    const auto size_z = static_cast<std::size_t>(voxels.size.z);
-    return {static_cast<int>(i / size_y / size_z), static_cast<int>(i % size_y),
-            static_cast<int>(i / size_y % size_z)};
-  }
-
   /// Owned voxels with a free neighbour that nobody owns, in the grid's order.
   std::vector<glm::ivec3> front() const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < owner.size(); ++i) {
       if (owner[i] != CellProposal::kNobody || (voxels.bits[i] & kVoxelSolid)) continue;
-      const glm::ivec3 v = voxelAt(i);
-      for (const glm::ivec3& side : kSides) {
+      const glm::ivec3 v = voxels.voxelAt(i);
+      for (const glm::ivec3& side : kVoxelSides) {
         const glm::ivec3 other = v + side;
         if (voxels.contains(other) && owner[index(other)] != CellProposal::kNobody) {
           found.push_back(index(other));
@@ -64,7 +53,7 @@ struct Grower {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<glm::ivec3> result;
-    for (const std::size_t i : found) result.push_back(voxelAt(i));
+    for (const std::size_t i : found) result.push_back(voxels.voxelAt(i));
     return result;
   }
 
@@ -73,7 +62,7 @@ struct Grower {
     while (!now.empty()) {
       next.clear();
       for (const glm::ivec3& v : now) {
-        for (const glm::ivec3& side : kSides) {
+        for (const glm::ivec3& side : kVoxelSides) {
           const glm::ivec3 to = v + side;
           const std::uint16_t cell = owner[index(v)];
           if (!unowned(to) || (only_roomy && !roomy(to))) continue;

@@ -1,14 +1,10 @@
 #include "preprocess/leak.h"
 
-#include <array>
 #include <unordered_map>
 
 namespace enfilade {
 
 namespace {
-
-constexpr std::array<glm::ivec3, 6> kSides{glm::ivec3{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1},
-                                           {0, -1, 0},           {0, 1, 0}};
 
 /// A step of the search: the voxel, and where on its way it left the first cell.
 struct Step {
@@ -36,7 +32,7 @@ std::optional<glm::vec3> findLeak(const VoxelGrid& voxels, const std::vector<std
   while (!now.empty() && middles.empty()) {
     next.clear();
     for (const Step& step : now) {
-      for (const glm::ivec3& side : kSides) {
+      for (const glm::ivec3& side : kVoxelSides) {
         const glm::ivec3 there = step.voxel + side;
         if (!voxels.contains(there)) continue;
         const std::size_t i = indexOf(there);

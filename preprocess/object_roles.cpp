@@ -20,10 +20,6 @@ std::vector<Box> placesOfDoors(const CellGraph& graph) {
   return places;
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
-}
-
 }  // namespace
 
 std::vector<ObjectRole> namedRoles(const Building& building, const std::string& doors,
@@ -45,7 +41,7 @@ void fixDoorsWithoutPortals(const Building& building, CutCells& cells,
     if (roles[o] != ObjectRole::kDoor) continue;
     const Box bounds = worldBounds(building, building.objects[o]);
     if (std::any_of(places.begin(), places.end(),
-                    [&](const Box& place) { return overlap(place, bounds); })) {
+                    [&](const Box& place) { return place.overlaps(bounds); })) {
       continue;
     }
     roles[o] = ObjectRole::kFixed;

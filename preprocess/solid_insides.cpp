@@ -30,13 +30,6 @@ std::vector<std::vector<std::size_t>> voxelsOf(const std::vector<std::uint8_t>& 
   return voxels;
 }
 
-glm::vec3 centerOf(const VoxelGrid& grid, std::size_t voxel) {
-  const auto size_y = static_cast<std::size_t>(grid.size.y);
-  const auto size_z = static_cast<std::size_t>(grid.size.z);
-  return grid.centerOf({static_cast<int>(voxel / size_y / size_z), static_cast<int>(voxel % size_y),
-                        static_cast<int>(voxel / size_y % size_z)});
-}
-
 /// The share of backs among what rays from the voxels meet; 0 if most meet nothing.
 float shareOfBacks(const RayCaster& rays, const VoxelGrid& grid,
                    const std::vector<std::size_t>& voxels) {
@@ -46,7 +39,7 @@ float shareOfBacks(const RayCaster& rays, const VoxelGrid& grid,
   std::size_t backs = 0, met = 0;
   for (std::size_t i = 0; i < kRays; ++i) {
     PictureRay ray;
-    ray.origin = centerOf(grid, voxels[i * voxels.size() / kRays]);
+    ray.origin = grid.centerOf(grid.voxelAt(voxels[i * voxels.size() / kRays]));
     ray.direction = randomDirection(random);
     ray.most = kFarthest;
     surfaces.clear();
@@ -93,7 +86,7 @@ bool areEnclosed(const Building& building, std::span<const ObjectRole> roles, co
   double winding = 0;
   for (std::size_t i = 0; i < kPoints; ++i) {
     const std::size_t voxel = voxels[(2 * i + 1) * voxels.size() / (2 * kPoints)];
-    winding += windingNumber(building, roles, glm::dvec3(centerOf(grid, voxel)));
+    winding += windingNumber(building, roles, glm::dvec3(grid.centerOf(grid.voxelAt(voxel))));
   }
   return winding > 0.5 * double(kPoints);
 }

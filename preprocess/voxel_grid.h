@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -16,6 +17,10 @@ inline constexpr std::uint8_t kVoxelSolid =
 inline constexpr std::uint8_t kVoxelDoor = 2;   ///< an openable door
 inline constexpr std::uint8_t kVoxelGlass = 4;  ///< a window, or blended material
 
+/// From a voxel to those that share a face with it.
+inline constexpr std::array<glm::ivec3, 6> kVoxelSides{
+    glm::ivec3{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}};
+
 /// A dense grid of surface voxels around a building, with a margin of free voxels on every side.
 struct VoxelGrid {
   glm::vec3 origin{0};  ///< least corner [m]
@@ -28,6 +33,13 @@ struct VoxelGrid {
             static_cast<std::size_t>(z)) *
                static_cast<std::size_t>(size.y) +
            static_cast<std::size_t>(y);
+  }
+  /// The voxel of an index.
+  glm::ivec3 voxelAt(std::size_t i) const noexcept {
+    const auto size_y = static_cast<std::size_t>(size.y);
+    const auto size_z = static_cast<std::size_t>(size.z);
+    return {static_cast<int>(i / size_y / size_z), static_cast<int>(i % size_y),
+            static_cast<int>(i / size_y % size_z)};
   }
   bool contains(const glm::ivec3& v) const noexcept {
     return glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, size));

@@ -9,6 +9,7 @@
 #include "preprocess/patch_views.h"
 #include "preprocess/random_sphere.h"
 #include "tests/preprocess/test_building.h"
+#include "tests/preprocess/two_room_proposal.h"
 
 namespace enfilade {
 namespace {
@@ -32,20 +33,7 @@ struct SlitRooms {
       test.box(at - 0.06f, at + 0.06f);
     }
     voxels = voxelise(test.building, test.roles, 0.1f);
-    CellProposal proposal;
-    proposal.storeys = {{"ground", 0}};
-    proposal.cell_names = {"exterior", "left", "right"};
-    proposal.cell_storeys = {0, 0, 0};
-    proposal.owner.assign(voxels.bits.size(), CellProposal::kNobody);
-    for (int x = 0; x < voxels.size.x; ++x) {
-      for (int z = 0; z < voxels.size.z; ++z) {
-        for (int y = 0; y < voxels.size.y; ++y) {
-          const glm::vec3 p = voxels.centerOf({x, y, z});
-          if (!Box{{0, 0, 0}, {8, 3, 4}}.contains(p)) continue;
-          proposal.owner[voxels.index(x, y, z)] = p.x < 4 ? 1 : 2;
-        }
-      }
-    }
+    const CellProposal proposal = twoRoomProposal(voxels, "left", "right");
     cells = cutCells(voxels, proposal);
     patches = makePatches(test.building);
   }

@@ -3,35 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "preprocess/cut_cells.h"
-#include "test_building.h"
+#include "tests/preprocess/test_building.h"
+#include "tests/preprocess/two_room_proposal.h"
 
 namespace enfilade {
 namespace {
-
-/// Two rooms, their voxels given to 1 and 2 by the wall at x = 4; outside nobody's.
-CellProposal proposalFor(const VoxelGrid& voxels) {
-  CellProposal proposal;
-  proposal.storeys = {{"storey", 0}};
-  proposal.cell_names = {"exterior", "west", "east"};
-  proposal.cell_storeys = {0, 0, 0};
-  proposal.owner.assign(voxels.bits.size(), CellProposal::kNobody);
-  for (int x = 0; x < voxels.size.x; ++x)
-    for (int z = 0; z < voxels.size.z; ++z)
-      for (int y = 0; y < voxels.size.y; ++y) {
-        const glm::vec3 p = voxels.centerOf({x, y, z});
-        const bool inside = p.x > 0 && p.x < 8 && p.y > 0 && p.y < 3 && p.z > 0 && p.z < 4;
-        const std::size_t i = voxels.index(x, y, z);
-        if (voxels.bits[i] & kVoxelSolid) continue;
-        if (inside) proposal.owner[i] = p.x < 4 ? 1 : 2;
-      }
-  return proposal;
-}
 
 TEST(Leak, IsFoundInTheHoleBetweenTwoRooms) {
   TestBuilding test;
   test.twoRooms({{1.0f, 1.4f, 2.0f, 2.4f}});
   const VoxelGrid voxels = voxelise(test.building, test.roles, 0.1f);
-  const CellProposal proposal = proposalFor(voxels);
+  const CellProposal proposal = twoRoomProposal(voxels, "west", "east");
   const std::vector<std::uint8_t> uncut(voxels.bits.size(), 0);
   const auto leak = findLeak(voxels, uncut, proposal.owner, 1, 2);
   ASSERT_TRUE(leak.has_value());
@@ -44,7 +26,7 @@ TEST(Leak, OfARoomIntoTheOutsideIsToldWithItsPlace) {
   TestBuilding test;
   test.twoRooms({}, {{1.0f, 1.6f, 0.5f, 1.1f}});
   const VoxelGrid voxels = voxelise(test.building, test.roles, 0.1f);
-  CellProposal proposal = proposalFor(voxels);
+  CellProposal proposal = twoRoomProposal(voxels, "west", "east");
   // The exterior's own, beyond the hole.
   for (std::size_t i = 0; i < proposal.owner.size(); ++i) {
     if (proposal.owner[i] == CellProposal::kNobody && !(voxels.bits[i] & kVoxelSolid)) {
@@ -62,7 +44,8 @@ TEST(Leak, ThereIsNoneBetweenClosedRooms) {
   test.twoRooms({});
   const VoxelGrid voxels = voxelise(test.building, test.roles, 0.1f);
   const std::vector<std::uint8_t> uncut(voxels.bits.size(), 0);
-  EXPECT_FALSE(findLeak(voxels, uncut, proposalFor(voxels).owner, 1, 2).has_value());
+  EXPECT_FALSE(
+      findLeak(voxels, uncut, twoRoomProposal(voxels, "west", "east").owner, 1, 2).has_value());
 }
 
 }  // namespace

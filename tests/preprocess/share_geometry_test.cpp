@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tests/preprocess/test_building.h"
+#include "tests/preprocess/two_room_proposal.h"
 
 namespace enfilade {
 namespace {
@@ -23,18 +24,7 @@ struct Scene {
     right_box = add({6, 0.5f, 1}, {6.5f, 1, 1.5f});
     buried_box = add({3.97f, 2.5f, 1.0f}, {4.03f, 2.6f, 1.1f});
     voxels = voxelise(test.building, test.roles, 0.1f);
-    CellProposal proposal;
-    proposal.storeys = {{"ground", 0}};
-    proposal.cell_names = {"exterior", "left", "right"};
-    proposal.cell_storeys = {0, 0, 0};
-    proposal.owner.assign(voxels.bits.size(), CellProposal::kNobody);
-    for (int x = 0; x < voxels.size.x; ++x)
-      for (int z = 0; z < voxels.size.z; ++z)
-        for (int y = 0; y < voxels.size.y; ++y) {
-          const glm::vec3 p = voxels.centerOf({x, y, z});
-          if (!Box{{0, 0, 0}, {8, 3, 4}}.contains(p)) continue;
-          proposal.owner[voxels.index(x, y, z)] = p.x < 4 ? 1 : 2;
-        }
+    CellProposal proposal = twoRoomProposal(voxels, "left", "right");
     Portal door;
     door.name = "door";
     door.polygon = {{4, 0, 1.5f}, {4, 0, 2.5f}, {4, 2.1f, 2.5f}, {4, 2.1f, 1.5f}};
