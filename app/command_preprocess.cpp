@@ -33,8 +33,10 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   double seconds = 0;
   for (const StageTime& stage : result.stages) seconds += stage.seconds;
   const CellGraph& graph = result.house.graph;
-  if (!parameters.graph.empty()) {
-    for (const std::string& line : result.house.info.log) printNote(quiet, "note: " + line);
+  const HouseInfo& info = result.house.info;
+  const bool said = info.parameters.at("cells") != "automatic";  // by someone who wants an answer
+  for (const std::string& line : info.log) {
+    if (said || line.starts_with("LEAK")) printNote(quiet, "note: " + line);
   }
   printResult(
       fmt::format("{}: {} cells, {} portals, {} storeys, {} triangles, {} portal sides with images "

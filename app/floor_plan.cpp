@@ -32,6 +32,12 @@ PlanCrop cropOf(const House& house) {
     crop.low = glm::min(crop.low, glm::vec2(bounds.min.x, bounds.min.z) - 1.0f);
     crop.high = glm::max(crop.high, glm::vec2(bounds.max.x, bounds.max.z) + 1.0f);
   }
+  for (const Leak& leak : house.info.leaks) {
+    for (const glm::vec3& p : leak.path) {
+      crop.low = glm::min(crop.low, glm::vec2(p.x, p.z) - 1.0f);
+      crop.high = glm::max(crop.high, glm::vec2(p.x, p.z) + 1.0f);
+    }
+  }
   const CellGrid& grid = house.grid;
   const glm::vec2 low(grid.origin().x, grid.origin().z);
   const glm::vec2 high = low + grid.voxel() * glm::vec2(grid.size().x, grid.size().z);
@@ -41,9 +47,9 @@ PlanCrop cropOf(const House& house) {
   return crop;
 }
 
-/// Whether a portal is to be seen on the storey: its middle stands between this floor and the next.
-bool standsOn(const CellGraph& graph, std::size_t storey, const Portal& portal) {
-  const float y = portal.center().y;
+/// Whether what has its middle at height `y` is to be seen on the storey: between this floor and
+/// the next.
+bool standsOn(const CellGraph& graph, std::size_t storey, float y) {
   const auto& storeys = graph.storeys;
   const float below =
       storey == 0 ? -std::numeric_limits<float>::infinity() : storeys[storey].floor_y - 0.3f;
@@ -72,11 +78,15 @@ std::string storeyPlan(const House& house, std::size_t storey, float slice_heigh
   svg += fmt::format("<path d=\"{}\" fill=\"#3a3f47\"/>\n",
                      outlinePath(slice, CellGrid::kSolidVoxel, crop));
   for (PortalId id = 0; id < graph.portals.size(); ++id) {
-    if (standsOn(graph, storey, graph.portals[id])) {
+    if (standsOn(graph, storey, graph.portals[id].center().y)) {
       svg += portalMark(graph, id, crop);
     }
   }
-  return svg + labels + "</svg>\n";
+  svg += labels;
+  for (const Leak& leak : house.info.leaks) {
+    if (standsOn(graph, storey, leak.place.y)) svg += leakMark(leak, crop);
+  }
+  return svg + "</svg>\n";
 }
 
 }  // namespace
@@ -100,7 +110,7 @@ std::string floorPlanSvg(const House& house, float slice_height) {
                        storeyPlan(house, storey, slice_height, crop));
   }
   return svg + fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n{}</g>\n</svg>\n", kMargin,
-                           height - kFoot, planFoot(crop));
+                           height - kFoot, planFoot(crop, !house.info.leaks.empty()));
 }
 
 }  // namespace enfilade

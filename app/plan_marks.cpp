@@ -11,6 +11,8 @@ namespace enfilade {
 
 namespace {
 
+constexpr const char* kLeakColor = "#d01030";
+
 /// The cell's name without that of its storey, which stands above the plan.
 std::string shortName(const CellGraph& graph, const Cell& cell) {
   const std::string before = graph.storeys[static_cast<std::size_t>(cell.storey)].name + " ";
@@ -101,7 +103,27 @@ std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop
                      points, portalColor(portal.kind), style, title);
 }
 
-std::string planFoot(const PlanCrop& crop) {
+std::string leakMark(const Leak& leak, const PlanCrop& crop) {
+  std::string points;
+  for (const glm::vec3& corner : leak.path) {
+    const glm::vec2 p = crop.pixels(corner.x, corner.z);
+    points += fmt::format("{:.1f},{:.1f} ", p.x, p.y);
+  }
+  const glm::vec2 start = crop.pixels(leak.path.front().x, leak.path.front().z);
+  const glm::vec2 hole = crop.pixels(leak.place.x, leak.place.z);
+  const std::string room = escapedXml(leak.room);
+  return fmt::format(
+      "<g fill=\"none\" stroke=\"{0}\"><title>{1} leaks into {2} at height {3:.2f} m</title>\n"
+      "<polyline points=\"{4}\" stroke-width=\"2.5\" stroke-dasharray=\"7 4\" "
+      "marker-end=\"url(#leak)\"/>\n"
+      "<circle cx=\"{5:.1f}\" cy=\"{6:.1f}\" r=\"9\" stroke-width=\"2\"/>\n"
+      "<text x=\"{7:.1f}\" y=\"{8:.1f}\" font-size=\"11\" text-anchor=\"middle\" stroke=\"none\" "
+      "fill=\"{0}\">{1}</text></g>\n",
+      kLeakColor, room, escapedXml(leak.into), leak.place.y, points, hole.x, hole.y, start.x,
+      start.y - 6);
+}
+
+std::string planFoot(const PlanCrop& crop, bool leaks) {
   // The shortest round length that is easily seen.
   int metres = 5;
   for (const int longer : {10, 20, 50, 100, 200, 500, 1000}) {
@@ -126,6 +148,15 @@ std::string planFoot(const PlanCrop& crop) {
         "font-size=\"12\">{}</text>\n",
         x, portalColor(kind), x + 28, kindName(kind));
     x += 100;
+  }
+  if (leaks) {
+    svg += fmt::format(
+        "<defs><marker id=\"leak\" viewBox=\"0 0 8 8\" refX=\"6\" refY=\"4\" markerWidth=\"5\" "
+        "markerHeight=\"5\" orient=\"auto\"><path d=\"M0 0L8 4L0 8Z\" "
+        "fill=\"{0}\"/></marker></defs>\n"
+        "<path d=\"M{1:.0f} 36h22\" stroke=\"{0}\" stroke-width=\"2.5\" "
+        "stroke-dasharray=\"7 4\"/><text x=\"{2:.0f}\" y=\"40\" font-size=\"12\">leak</text>\n",
+        kLeakColor, x, x + 28);
   }
   return svg;
 }

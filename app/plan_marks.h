@@ -31,7 +31,11 @@ std::string cellLabel(const PlanSlice& slice, const CellGraph& graph, CellId id,
 /// A portal as a line, dashed all around if it lies level, with what it joins as its title.
 std::string portalMark(const CellGraph& graph, PortalId id, const PlanCrop& crop);
 
-/// A scale bar and what the colours of the portals mean.
-std::string planFoot(const PlanCrop& crop);
+/// A leak's path from the room outwards, a ring where it leaves the room, the room's name at its
+/// beginning.
+std::string leakMark(const Leak& leak, const PlanCrop& crop);
+
+/// A scale bar and what the colours of the portals mean, and that of leaks if there are any.
+std::string planFoot(const PlanCrop& crop, bool leaks);
 
 }  // namespace enfilade

@@ -7,6 +7,7 @@
 
 #include "portals/cell_graph.h"
 #include "portals/cell_grid.h"
+#include "portals/leak.h"
 #include "scene/building.h"
 
 namespace enfilade {
@@ -32,6 +33,7 @@ struct HouseInfo {
   std::map<std::string, double>
       statistics;                ///< counts, sizes, seconds of nothing: same bytes run after run
   std::vector<std::string> log;  ///< what was cut, merged, dropped, and why
+  std::vector<Leak> leaks;
 };
 
 /// A preprocessed building, all but its images: what playback needs, and nothing else.

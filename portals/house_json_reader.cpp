@@ -14,6 +14,14 @@ namespace enfilade {
 
 namespace {
 
+Leak readLeak(const JsonValue& value) {
+  Leak leak{value["room"].string(), value["into"].string(), {}, value["place"].vector()};
+  const JsonValue path = value["path"];
+  if (path.size() < 2) path.fail("has not two points");
+  for (std::size_t i = 0; i < path.size(); ++i) leak.path.push_back(path.at(i).vector());
+  return leak;
+}
+
 void readInfo(const JsonValue& root, HouseInfo& info) {
   info.tool_version = root["tool_version"].string();
   info.model_name = root["model"]["name"].string();
@@ -27,6 +35,9 @@ void readInfo(const JsonValue& root, HouseInfo& info) {
   });
   const JsonValue log = root["log"];
   for (std::size_t i = 0; i < log.size(); ++i) info.log.push_back(log.at(i).string());
+  if (!root.has("leaks")) return;  // houses of versions that did not tell them
+  const JsonValue leaks = root["leaks"];
+  for (std::size_t i = 0; i < leaks.size(); ++i) info.leaks.push_back(readLeak(leaks.at(i)));
 }
 
 Cell readCell(const JsonValue& value, std::size_t storeys) {

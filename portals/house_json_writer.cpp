@@ -104,6 +104,19 @@ ordered_json objectsJson(const House& house) {
           {"cell_set_of_object", std::move(set_of_object)}};
 }
 
+ordered_json leaksJson(const std::vector<Leak>& leaks) {
+  ordered_json list = ordered_json::array();
+  for (const Leak& leak : leaks) {
+    ordered_json path = ordered_json::array();
+    for (const glm::vec3& p : leak.path) path.push_back(numbers(p));
+    list.push_back({{"room", leak.room},
+                    {"into", leak.into},
+                    {"place", numbers(leak.place)},
+                    {"path", std::move(path)}});
+  }
+  return list;
+}
+
 ordered_json statisticsJson(const HouseInfo& info) {
   ordered_json statistics = ordered_json::object();
   for (const auto& [name, value] : info.statistics) {
@@ -143,6 +156,7 @@ std::string encodeHouseJson(const House& house, const HouseChecksums& checksums)
       {"objects", objectsJson(house)},
       {"statistics", statisticsJson(house.info)},
       {"log", house.info.log},
+      {"leaks", leaksJson(house.info.leaks)},
       {"files",
        {{"geometry.glb", {{"xxh3", checksumText(checksums.geometry)}}},
         {"cells.grid", {{"xxh3", checksumText(checksums.grid)}}}}},

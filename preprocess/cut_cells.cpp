@@ -8,7 +8,7 @@
 
 #include "preprocess/assign_components.h"
 #include "preprocess/free_components.h"
-#include "preprocess/leak.h"
+#include "preprocess/leak_search.h"
 #include "preprocess/portal_polygon.h"
 
 namespace enfilade {
@@ -200,15 +200,25 @@ std::vector<CellGrid::Label> makeLabels(const VoxelGrid& grid, const Attempt& at
   return labels;
 }
 
-std::string mergeText(const VoxelGrid& voxels, const CellProposal& proposal,
-                      const std::vector<std::uint8_t>& cut, const Assignment::Merge& merge) {
-  const auto leak = findLeak(voxels, cut, proposal.owner, merge.leaked, merge.into);
-  const std::string place = leak ? fmt::format(", which leads through ({:.1f}, {:.1f}, {:.1f})",
-                                               leak->x, leak->y, leak->z)
-                                 : std::string();
-  return fmt::format("{}merged {} into {}: no portal closes the way between them{}",
-                     merge.kept == kExterior ? "LEAK: " : "", proposal.cell_names[merge.gone],
-                     proposal.cell_names[merge.kept], place);
+/// Tells which cells became one, and by what way.
+void tellMerges(const VoxelGrid& voxels, const CellProposal& proposal, const Attempt& attempt,
+                CutCells& out) {
+  if (attempt.merges.empty()) return;
+  const LeakSearch search(voxels, attempt.cut, proposal.owner);
+  for (const Assignment::Merge& merge : attempt.merges) {
+    const std::string& gone = proposal.cell_names[merge.gone];
+    const std::string& kept = proposal.cell_names[merge.kept];
+    std::string text = fmt::format("{}merged {} into {}: no portal closes the way between them",
+                                   merge.kept == kExterior ? "LEAK: " : "", gone, kept);
+    if (std::optional<Leak> leak = search.find(merge.leaked, merge.into)) {
+      text += fmt::format(", which leads through ({:.1f}, {:.1f}, {:.1f})", leak->place.x,
+                          leak->place.y, leak->place.z);
+      leak->room = gone;
+      leak->into = kept;
+      out.leaks.push_back(std::move(*leak));
+    }
+    out.log.push_back(std::move(text));
+  }
 }
 
 }  // namespace
@@ -228,9 +238,7 @@ CutCells cutCells(const VoxelGrid& voxels, const CellProposal& proposal) {
     }
     attempt = attemptCut(voxels, proposal, portals);
   }
-  for (const Assignment::Merge& merge : attempt.merges) {
-    out.log.push_back(mergeText(voxels, proposal, attempt.cut, merge));
-  }
+  tellMerges(voxels, proposal, attempt, out);
   const std::vector<CellId> ids = compactIds(attempt);
   out.graph = makeGraph(voxels, proposal, attempt, ids);
   out.labels = makeLabels(voxels, attempt, ids);

@@ -5,6 +5,7 @@
 
 #include "portals/cell_graph.h"
 #include "portals/cell_grid.h"
+#include "portals/leak.h"
 #include "preprocess/cell_proposal.h"
 #include "preprocess/voxel_grid.h"
 
@@ -16,6 +17,7 @@ struct CutCells {
   std::vector<CellGrid::Label> labels;  ///< dense, VoxelGrid's index
   CellGrid grid;                        ///< the same labels
   std::vector<std::string> log;  ///< the proposal's, and what was merged, added or dropped here
+  std::vector<Leak> leaks;       ///< by what way those leak that were merged
 };
 
 /// Makes a proposal true: cuts the free voxels by every portal polygon, takes the connected

@@ -132,6 +132,7 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   house.graph = std::move(cells.graph);
   house.grid = std::move(cells.grid);
   house.info.log = std::move(cells.log);
+  house.info.leaks = std::move(cells.leaks);
   house.building = std::move(shared.building);
   house.object_roles = std::move(shared.roles);
   house.object_cells = std::move(shared.cells);

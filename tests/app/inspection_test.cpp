@@ -94,6 +94,17 @@ TEST(FloorPlan, ShowsEveryCellAndPortalAndEscapesNames) {
   EXPECT_NE(svg.find("1.00 x 2.10 m"), std::string::npos);
   EXPECT_NE(svg.find("5 m</text>"), std::string::npos) << "the scale bar";
   EXPECT_EQ(svg, floorPlanSvg(house));
+  EXPECT_EQ(svg.find("leak"), std::string::npos);
+}
+
+TEST(FloorPlan, DrawsTheWayByWhichARoomLeaks) {
+  House house = twoRoomHouse();
+  house.info.leaks.push_back(
+      {"the <den>", "exterior", {{1, 1, 1}, {2, 1, 1}, {2, 1, -3}}, {2, 1, -1}});
+  const std::string svg = floorPlanSvg(house);
+  EXPECT_NE(svg.find("the &lt;den&gt; leaks into exterior at height 1.00 m"), std::string::npos);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos);
+  EXPECT_NE(svg.find(">leak</text>"), std::string::npos) << "what the line means";
 }
 
 }  // namespace

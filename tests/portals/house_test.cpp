@@ -75,6 +75,11 @@ TEST(HouseFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.info.parameters, written.info.parameters);
   EXPECT_EQ(read.info.statistics, written.info.statistics);
   EXPECT_EQ(read.info.log, written.info.log);
+  ASSERT_EQ(read.info.leaks.size(), 1u);
+  EXPECT_EQ(read.info.leaks[0].room, "porch");
+  EXPECT_EQ(read.info.leaks[0].into, "exterior");
+  EXPECT_EQ(read.info.leaks[0].path, written.info.leaks[0].path);
+  EXPECT_EQ(read.info.leaks[0].place, written.info.leaks[0].place);
   EXPECT_EQ(read.object_roles, written.object_roles);
   EXPECT_EQ(read.object_cells, written.object_cells);
   EXPECT_EQ(read.switch_distance, written.switch_distance);

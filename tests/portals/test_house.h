@@ -37,7 +37,8 @@ inline House smallHouse() {
                 std::string(64, 'a'),
                 {{"voxel_m", "0.1"}, {"doors", "IfcDoor*"}},
                 {{"triangles", 3}, {"share", 0.125}},
-                {"merged the pantry into the kitchen"}};
+                {"merged the pantry into the kitchen"},
+                {{"porch", "exterior", {{1, 1, 1}, {1, 1.5f, 4.1f}}, {1, 1.3f, 3}}}};
   house.graph.storeys = {{"ground", -0.1f}, {"upper", 2.7f}};
   house.graph.cells.resize(3);
   house.graph.cells[1] = {"kitchen", 0, {{0, 0, 0}, {2, 2.4f, 3}}, 14.4f, 6, {}};
