@@ -80,14 +80,19 @@ void addCellOptions(CLI::App& command, PreprocessParameters& parameters) {
       ->group(kGroup);
   CLI::Option* automatic = command.add_flag(
       "--auto", parameters.automatic,
-      "Find cells and portals even where the model names them (NAME-room, NAME-portal)");
+      "Find all cells and portals, whatever the model names (NAME-room, NAME-portal)");
   automatic->group(kGroup);
+  CLI::Option* named_only =
+      command.add_flag("--named-only", parameters.named_only,
+                       "Take the cells and portals that the model names and find no others");
+  named_only->excludes(automatic)->group(kGroup);
   command
       .add_option("--graph", parameters.graph,
                   "Take the cells and portals of a house.json, edited or not, as given; and its "
                   "--doors and --windows where they are not named here")
       ->type_name("house.json")
       ->excludes(automatic)
+      ->excludes(named_only)
       ->group(kGroup);
   CellParameters& cells = parameters.cells;
   addNumber(command, kGroup, "--voxel", cells.voxel, "Edge of a voxel [m]", "M", 0.02, 1.0);

@@ -74,15 +74,21 @@ bool AuthoredNames::Room::withinPlanes(const glm::vec3& p) const {
                      [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
 }
 
+std::vector<Portal> authoredPortals(const AuthoredNames& names) {
+  std::vector<Portal> portals;
+  for (const auto& named : names.portals) {
+    Portal portal = named.portal;
+    portal.plane = planeOf(portal.polygon);
+    portals.push_back(std::move(portal));
+  }
+  return portals;
+}
+
 CellProposal authoredCells(const AuthoredNames& names, const VoxelGrid& voxels) {
   CellProposal proposal;
   nameStoreys(names, proposal);
   giveVoxels(names, voxels, proposal);
-  for (const auto& named : names.portals) {
-    Portal portal = named.portal;
-    portal.plane = planeOf(portal.polygon);
-    proposal.portals.push_back(std::move(portal));
-  }
+  proposal.portals = authoredPortals(names);
   proposal.log = names.warnings;
   return proposal;
 }

@@ -52,14 +52,27 @@ std::vector<std::uint32_t> roomOfNodes(const Building& building, AuthoredNames& 
     if (!name || isPortal(node) || isBound(node) || *name == "exterior") continue;
     std::size_t r = 0;
     while (r < names.rooms.size() && names.rooms[r].name != *name) ++r;
-    if (r == names.rooms.size()) names.rooms.push_back({*name, {}, {}});
+    if (r == names.rooms.size()) {
+      names.rooms.push_back({*name, {}, {}, glm::vec3(node.world_from_node[3])});
+    }
     room[n] = static_cast<std::uint32_t>(r);
   }
   return room;
 }
 
+std::string textOf(const json& extras, const char* key) {
+  const auto value = extras.find(key);
+  return value != extras.end() && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+/// True unless it says otherwise.
+bool flagOf(const json& extras, const char* key) {
+  const auto value = extras.find(key);
+  return value == extras.end() || !value->is_boolean() || value->get<bool>();
+}
+
 PortalKind kindOf(const json& extras) {
-  const std::string kind = extras.is_object() ? extras.value("kind", "opening") : "opening";
+  const std::string kind = textOf(extras, "kind");
   if (kind == "door") return PortalKind::kDoor;
   return kind == "window" ? PortalKind::kWindow : PortalKind::kOpening;
 }
@@ -77,9 +90,9 @@ void takePortal(const Building& building, const Object& object, std::uint32_t ro
   const json extras = extra(node, "portal");
   named.portal.kind = kindOf(extras);
   if (extras.is_object()) {
-    named.portal.two_way = extras.value("two_way", true);
-    named.portal.active = extras.value("active", true);
-    named.to = extras.value("to", "");
+    named.portal.two_way = flagOf(extras, "two_way");
+    named.portal.active = flagOf(extras, "active");
+    named.to = textOf(extras, "to");
   }
   if (named.to.empty()) named.to = nameBefore(node.name, "portal").value_or("");
   if (room != kNone) {

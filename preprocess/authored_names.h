@@ -18,6 +18,7 @@ struct AuthoredNames {
     std::string name;
     Box bounds;                       ///< of what belongs to it [m]
     std::vector<Plane> bound_planes;  ///< of its convex bound, inside ≥ 0; empty: `bounds` alone
+    glm::vec3 position{0};            ///< where its node stands, the first of several [m]
 
     /// Whether a point of its bounds is the room's, by its planes.
     bool withinPlanes(const glm::vec3& p) const;
@@ -30,15 +31,18 @@ struct AuthoredNames {
   std::vector<NamedPortal> portals;
   std::vector<std::string> warnings;
 
-  bool empty() const noexcept { return rooms.empty() || portals.empty(); }
+  bool empty() const noexcept { return rooms.empty(); }
 };
 
 /// Reads the names, and takes the marker meshes (portals and bounds) out of `building`, which are
 /// not part of the picture.
 AuthoredNames takeAuthoredNames(Building& building);
 
-/// The cells and portals that the author named, for cutCells().  Storeys from the floors of the
-/// rooms.
+/// The author's portals, with their planes; front and back not yet known.
+std::vector<Portal> authoredPortals(const AuthoredNames& names);
+
+/// The cells and portals that the author named and no others, for cutCells().  Storeys from the
+/// floors of the rooms.
 CellProposal authoredCells(const AuthoredNames& names, const VoxelGrid& voxels);
 
 }  // namespace enfilade

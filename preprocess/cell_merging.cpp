@@ -10,12 +10,14 @@ namespace enfilade {
 void mergeCells(const std::vector<std::uint16_t>& into, CellProposal& proposal) {
   std::vector<std::uint16_t> number(into.size());
   std::vector<int> kept;
+  std::vector<std::string> names;
   for (std::size_t c = 0; c < into.size(); ++c) {
     if (into[c] == CellProposal::kNobody) {
       number[c] = CellProposal::kNobody;
     } else if (into[c] == c) {
       number[c] = static_cast<std::uint16_t>(kept.size());
       kept.push_back(proposal.cell_storeys[c]);
+      names.push_back(proposal.cell_names[c]);
     } else {
       number[c] = number[into[c]];  // lower, so numbered before
     }
@@ -24,6 +26,7 @@ void mergeCells(const std::vector<std::uint16_t>& into, CellProposal& proposal) 
     if (owner != CellProposal::kNobody) owner = number[owner];
   }
   proposal.cell_storeys = kept;
+  proposal.cell_names = names;
 }
 
 std::vector<std::uint16_t> joinedCells(std::size_t cells,

@@ -36,10 +36,14 @@ struct CellParameters {
   float smallest_door = 0.5f;  ///< [m] [> 0] narrower passages are cracks, not doors
 };
 
-/// Finds rooms storey by storey and an opening's plane between every two of them.  The same result
-/// run after run. Source: Haumont, Debeir & Sillion, Volumetric Cell-and-Portal Generation, 2003;
-/// and DESIGN, section 11.
+struct AuthoredNames;
+
+/// Finds rooms storey by storey and an opening's plane between every two of them.  With `names`
+/// what the author named comes first, his rooms (see claimRooms()) and his portals, and the
+/// rest is found.  The same result run after run. Source: Haumont, Debeir & Sillion, Volumetric
+/// Cell-and-Portal Generation, 2003; and DESIGN, section 11.
 CellProposal findCells(const Building& building, std::span<const ObjectRole> roles,
-                       const VoxelGrid& voxels, const CellParameters& parameters);
+                       const VoxelGrid& voxels, const CellParameters& parameters,
+                       const AuthoredNames* names = nullptr);
 
 }  // namespace enfilade

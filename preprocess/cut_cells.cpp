@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "preprocess/assign_components.h"
+#include "preprocess/cut_voxels.h"
 #include "preprocess/free_components.h"
 #include "preprocess/leak_search.h"
 #include "preprocess/portal_polygon.h"
@@ -16,21 +17,8 @@ namespace enfilade {
 namespace {
 
 constexpr std::uint16_t kNobody = CellProposal::kNobody;
-// How far a cut reaches beyond its polygon, so that it closes against the voxels of the opening's
-// edges [voxels].
-constexpr float kCutGrowth = 1.0f;
 // Smaller free spaces that no one proposed make no cell [m³].
 constexpr float kLeastNewCell = 0.5f;
-
-std::vector<std::uint8_t> cutVoxels(const VoxelGrid& grid, const std::vector<Portal>& portals) {
-  std::vector<std::uint8_t> cut(grid.bits.size(), 0);
-  for (const Portal& portal : portals) {
-    const auto grown = growPolygon(portal.polygon, portal.plane, kCutGrowth * grid.voxel);
-    forEachTouchedVoxel(grown, portal.plane, grid,
-                        [&](const glm::ivec3& v) { cut[grid.index(v.x, v.y, v.z)] = 1; });
-  }
-  return cut;
-}
 
 // The component on one side of a portal at `p`: the first free, uncut voxel along the normal.
 std::uint32_t componentBeside(const VoxelGrid& grid, const std::vector<std::uint8_t>& cut,

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
+#include "preprocess/authored_names.h"
 #include "preprocess/cell_merging.h"
 #include "preprocess/cell_proposal.h"
+#include "preprocess/claim_rooms.h"
+#include "preprocess/cut_voxels.h"
 #include "preprocess/fit_portal.h"
 #include "preprocess/grow_cells.h"
 #include "preprocess/interfaces.h"
 #include "preprocess/join_panes.h"
+#include "preprocess/name_cells.h"
 #include "preprocess/passages.h"
 #include "preprocess/portal_kind.h"
 #include "preprocess/room_seeds.h"
@@ -26,65 +29,6 @@ namespace {
 
 constexpr float kPlanar = 0.6f;  // less: the cells wind about each other, no plane parts them
 constexpr float kLargeInterface = 2.0f;  // [m²] of those, larger ones make one cell of two
-
-const char* nameOf(PortalKind kind) {
-  switch (kind) {
-    case PortalKind::kDoor:
-      return "door";
-    case PortalKind::kWindow:
-      return "window";
-    case PortalKind::kOpening:
-      break;
-  }
-  return "opening";
-}
-
-/// The height of most of a storey's floor [m].
-float floorHeight(const VoxelGrid& voxels, const WallFaces& walls, const StoreyBand& band) {
-  const float top = voxels.origin.y + float(band.floor + 1) * voxels.voxel;
-  TurnedBox box;
-  box.lo = voxels.origin;
-  box.hi = voxels.origin + glm::vec3(voxels.size) * voxels.voxel;
-  box.lo.y = top - 1.05f * voxels.voxel;
-  box.hi.y = top + 0.05f * voxels.voxel;
-  WallFaces::Face most{top, 0.0f};
-  for (const WallFaces::Face& face : walls.facesAcross(box, 1)) {
-    if (face.area > most.area) most = face;
-  }
-  return most.offset;
-}
-
-void nameStoreys(const VoxelGrid& voxels, const WallFaces& walls,
-                 const std::vector<StoreyBand>& bands, CellProposal& proposal) {
-  for (std::size_t s = 0; s < bands.size(); ++s) {
-    proposal.storeys.push_back(
-        {fmt::format("storey-{}", s + 1), floorHeight(voxels, walls, bands[s])});
-  }
-}
-
-void nameCells(CellProposal& proposal) {
-  const std::vector<int>& storeys = proposal.cell_storeys;
-  std::vector<int> rooms(proposal.storeys.size(), 0);
-  proposal.cell_names = {"exterior"};
-  for (std::size_t c = 1; c < storeys.size(); ++c) {
-    const int room = ++rooms[std::size_t(storeys[c])];
-    proposal.cell_names.push_back(proposal.storeys.size() > 1
-                                      ? fmt::format("storey-{} room-{}", storeys[c] + 1, room)
-                                      : fmt::format("room-{}", room));
-  }
-}
-
-/// Names each portal after its kind and cells, and numbers those that would be called the same.
-void namePortals(CellProposal& proposal) {
-  std::map<std::string, int> used;
-  for (Portal& portal : proposal.portals) {
-    portal.name = fmt::format("{}-{}-{}", nameOf(portal.kind), proposal.cell_names[portal.front],
-                              proposal.cell_names[portal.back]);
-    std::replace(portal.name.begin(), portal.name.end(), ' ', '-');
-    const int number = ++used[portal.name];
-    if (number > 1) portal.name += fmt::format("-{}", number);
-  }
-}
 
 /// The portals of all interfaces, and the pairs of cells that none can part.
 struct Fits {
@@ -130,6 +74,15 @@ Fits fitAll(const VoxelGrid& voxels, const WallFaces& walls, std::vector<Interfa
   return fits;
 }
 
+/// Gives what nobody owns to the cells about it.
+void fillUp(const VoxelGrid& voxels, CellProposal& proposal) {
+  RoomSeeds seeds;
+  seeds.ranges.assign(proposal.cell_storeys.size(), {0, voxels.size.y});
+  seeds.owner = std::move(proposal.owner);
+  growCells(voxels, seeds);
+  proposal.owner = std::move(seeds.owner);
+}
+
 /// Gives passages to the cells at their ends, each as far as its middle.
 bool openPassages(const VoxelGrid& voxels, const std::vector<std::uint8_t>& passage,
                   CellProposal& proposal) {
@@ -141,11 +94,7 @@ bool openPassages(const VoxelGrid& voxels, const std::vector<std::uint8_t>& pass
   }
   if (opened == 0) return false;
   mergeCells(into, proposal);
-  RoomSeeds seeds;
-  seeds.ranges.assign(proposal.cell_storeys.size(), {0, voxels.size.y});
-  seeds.owner = std::move(proposal.owner);
-  growCells(voxels, seeds);
-  proposal.owner = std::move(seeds.owner);
+  fillUp(voxels, proposal);
   proposal.log.push_back(
       fmt::format("took {} small rooms for what they are, doorways in thick walls", opened));
   return true;
@@ -182,10 +131,9 @@ void addPortals(const VoxelGrid& voxels, const std::vector<Interface>& interface
   }
 }
 
-}  // namespace
-
-CellProposal findCells(const Building& building, std::span<const ObjectRole> roles,
-                       const VoxelGrid& voxels, const CellParameters& parameters) {
+CellProposal findFrom(const Building& building, std::span<const ObjectRole> roles,
+                      const VoxelGrid& voxels, const CellParameters& parameters,
+                      const AuthoredNames* names) {
   const std::vector<StoreyBand> bands = findStoreys(voxels);
   RoomSeeds seeds = seedRooms(voxels, bands, parameters);
   growCells(voxels, seeds);
@@ -193,6 +141,7 @@ CellProposal findCells(const Building& building, std::span<const ObjectRole> rol
   CellProposal proposal;
   proposal.owner = std::move(seeds.owner);
   proposal.cell_storeys = std::move(seeds.storeys);
+  proposal.cell_names.resize(proposal.cell_storeys.size());
   proposal.log = std::move(seeds.log);
   nameStoreys(voxels, walls, bands, proposal);
   const bool named = std::any_of(roles.begin(), roles.end(),
@@ -208,6 +157,11 @@ CellProposal findCells(const Building& building, std::span<const ObjectRole> rol
   if (dropCavities(seeds.widths, inside, interfaces, proposal) > 0) {
     interfaces = meetings();
   }
+  if (names != nullptr) {
+    claimRooms(*names, authoredCells(*names, voxels), voxels, proposal);
+    fillUp(voxels, proposal);
+    interfaces = meetings();
+  }
   Fits fits = fitAll(voxels, walls, interfaces, proposal);
   while (fits.merged) {
     mergeCells(fits.into, proposal);
@@ -221,6 +175,24 @@ CellProposal findCells(const Building& building, std::span<const ObjectRole> rol
   nameCells(proposal);
   addPortals(voxels, interfaces, fits.portals, proposal);
   namePortals(proposal);
+  return proposal;
+}
+
+}  // namespace
+
+CellProposal findCells(const Building& building, std::span<const ObjectRole> roles,
+                       const VoxelGrid& voxels, const CellParameters& parameters,
+                       const AuthoredNames* names) {
+  if (names == nullptr) return findFrom(building, roles, voxels, parameters, nullptr);
+  const std::vector<Portal> portals = authoredPortals(*names);
+  VoxelGrid closed = voxels;  // where the author has put a portal nothing else is to be found
+  const std::vector<std::uint8_t> cut = cutVoxels(voxels, portals);
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    if (cut[i]) closed.bits[i] |= kVoxelSolid;
+  }
+  CellProposal proposal = findFrom(building, roles, closed, parameters, names);
+  proposal.log.insert(proposal.log.begin(), names->warnings.begin(), names->warnings.end());
+  proposal.portals.insert(proposal.portals.begin(), portals.begin(), portals.end());
   return proposal;
 }
 

@@ -58,7 +58,7 @@ std::vector<std::uint8_t> findPassages(const VoxelGrid& voxels,
   const float voxel_volume = voxels.voxel * voxels.voxel * voxels.voxel;
   for (std::size_t c = kExterior + 1; c < cells; ++c) {
     const Ends& end = ends[c];
-    if (end.second == kNoEnd || end.more) continue;
+    if (end.second == kNoEnd || end.more || !proposal.cell_names[c].empty()) continue;
     // Of two in a row one stays, to be grown over the other.
     const auto beyond = [&](const Interface& i) { return i.low == c ? i.high : i.low; };
     if (passage[beyond(interfaces[end.first])] || passage[beyond(interfaces[end.second])]) continue;

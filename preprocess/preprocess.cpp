@@ -63,6 +63,7 @@ std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p)
   texts.insert({{"doors", p.doors},
                 {"windows", p.windows},
                 {"automatic", p.automatic ? "true" : "false"},
+                {"named_only", p.named_only ? "true" : "false"},
                 {"images", p.images ? "true" : "false"},
                 {"voxel_m", number(p.cells.voxel)},
                 {"slice_height_m", number(p.cells.slice_height)},
@@ -88,7 +89,13 @@ std::map<std::string, double> statisticsOf(const House& house, const Building& m
 }
 
 /// Where the cells come from.
-enum class CellSource { kAutomatic, kAuthored, kGiven };
+enum class CellSource { kAutomatic, kMixed, kAuthored, kGiven };
+
+CellSource sourceOf(const PreprocessParameters& parameters, bool named, bool given) {
+  if (given) return CellSource::kGiven;
+  if (!named || parameters.automatic) return CellSource::kAutomatic;
+  return parameters.named_only ? CellSource::kAuthored : CellSource::kMixed;
+}
 
 CellProposal proposeCells(CellSource source, const Building& model,
                           std::span<const ObjectRole> roles, const VoxelGrid& voxels,
@@ -99,6 +106,8 @@ CellProposal proposeCells(CellSource source, const Building& model,
       return givenCells(*given, voxels);
     case CellSource::kAuthored:
       return authoredCells(names, voxels);
+    case CellSource::kMixed:
+      return findCells(model, roles, voxels, parameters, &names);
     default:
       return findCells(model, roles, voxels, parameters);
   }
@@ -110,14 +119,14 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   std::vector<ObjectRole> roles = namedRoles(model, parameters.doors, parameters.windows);
   const VoxelGrid voxels =
       stages.run("voxelise", [&] { return voxelise(model, roles, parameters.cells.voxel); });
-  const CellSource source = given                                     ? CellSource::kGiven
-                            : !names.empty() && !parameters.automatic ? CellSource::kAuthored
-                                                                      : CellSource::kAutomatic;
+  const CellSource source = sourceOf(parameters, !names.empty(), given.has_value());
   CutCells cells = stages.run("find cells and portals", [&] {
     return cutCells(voxels,
                     proposeCells(source, model, roles, voxels, names, given, parameters.cells));
   });
-  if (source == CellSource::kAuthored) diagnoseAuthored(names, voxels, cells);
+  if (source == CellSource::kAuthored || source == CellSource::kMixed) {
+    diagnoseAuthored(names, voxels, cells);
+  }
   if (source == CellSource::kGiven) compareWithGiven(*given, cells);
   fixDoorsWithoutPortals(model, cells, roles);
   SharedGeometry shared = stages.run("share out the geometry", [&] {
@@ -139,7 +148,7 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   house.switch_distance = parameters.image.switch_distance;
   house.eye_height = parameters.eye_height;
   house.info.parameters = parameterTexts(parameters);
-  constexpr const char* kSources[] = {"automatic", "authored", "given"};
+  constexpr const char* kSources[] = {"automatic", "mixed", "authored", "given"};
   house.info.parameters["cells"] = kSources[static_cast<int>(source)];
   if (given) house.info.parameters["graph_sha256"] = given->sha256;
   house.info.statistics = statisticsOf(house, model);

@@ -20,8 +20,9 @@ struct PreprocessParameters {
   std::string graph;  ///< a house.json whose cells and portals are taken as given, see
                       ///< readGivenGraph(), with its doors and windows where none are named here;
                       ///< empty: none.  It must not lie in the house's own folder.
-  bool automatic = false;  ///< find cells even where the author named them
-  bool images = true;      ///< bake the portals' images
+  bool automatic = false;   ///< pass over the rooms and portals that the author named
+  bool named_only = false;  ///< take no others than those, if there are any
+  bool images = true;       ///< bake the portals' images
   CellParameters cells;
   ImageParameters image;
   float eye_height = 1.6f;  ///< [m] [0.2…3] above the floor

@@ -135,6 +135,21 @@ TEST(AuthoredNames, ExtrasSayTheSame) {
   EXPECT_FALSE(names.portals[0].portal.two_way);
 }
 
+TEST(AuthoredNames, ExtrasOfAnotherTypeSayNothing) {
+  Building b;
+  b.materials.resize(1);
+  const std::uint32_t room = addNode(b, "kitchen-room");
+  addMarker(b,
+            addNode(b, "hall-portal", room,
+                    R"({"portal": {"kind": 5, "to": null, "two_way": "no", "active": []}})"),
+            kDoor);
+  const AuthoredNames names = takeAuthoredNames(b);
+  ASSERT_EQ(names.portals.size(), 1u);
+  EXPECT_EQ(names.portals[0].portal.kind, PortalKind::kOpening);
+  EXPECT_EQ(names.portals[0].to, "hall");
+  EXPECT_TRUE(names.portals[0].portal.two_way && names.portals[0].portal.active);
+}
+
 TEST(AuthoredNames, OrdinaryNamesAreLeftAlone) {
   TestBuilding test = twoRooms();
   test.building.nodes[0].name = "portal";

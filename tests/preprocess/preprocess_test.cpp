@@ -141,6 +141,29 @@ TEST_F(Preprocess, TheGallerysRoomsAreFoundWithoutTheirNamesToo) {
   EXPECT_LE(largestDifference(found, 60, whole, culled), 1e-4);
 }
 
+TEST_F(Preprocess, WhereEverythingIsNamedNothingElseIsFound) {
+  writeGlb(path("gallery.glb"), raiseSample("gallery", 50000));
+  PreprocessParameters parameters = withoutImages();
+  parameters.rays_per_cell = 0;
+  const House mixed = preprocessBuilding(path("gallery.glb"), path("mixed"), parameters).house;
+  parameters.named_only = true;
+  const House named = preprocessBuilding(path("gallery.glb"), path("named"), parameters).house;
+  EXPECT_EQ(mixed.info.parameters.at("cells"), "mixed");
+  EXPECT_EQ(named.info.parameters.at("cells"), "authored");
+  ASSERT_EQ(mixed.graph.cells.size(), named.graph.cells.size());
+  for (std::size_t c = 0; c < named.graph.cells.size(); ++c) {
+    EXPECT_EQ(mixed.graph.cells[c].name, named.graph.cells[c].name);
+    // But for what is sealed in, as sculptures are, and which is nobody's.
+    const float volume = named.graph.cells[c].volume;
+    EXPECT_NEAR(mixed.graph.cells[c].volume, volume, 0.01f * volume);
+  }
+  ASSERT_EQ(mixed.graph.portals.size(), named.graph.portals.size());
+  for (std::size_t p = 0; p < named.graph.portals.size(); ++p) {
+    EXPECT_EQ(mixed.graph.portals[p].name, named.graph.portals[p].name);
+    EXPECT_EQ(mixed.graph.portals[p].polygon, named.graph.portals[p].polygon);
+  }
+}
+
 TEST_F(Preprocess, CullingIsThePictureOfARealHouse) {
   if (!fs::exists(kDuplex)) GTEST_SKIP() << "no ../shared/models/duplex.glb beside this checkout";
   PreprocessParameters parameters = withoutImages();
