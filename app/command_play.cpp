@@ -14,7 +14,9 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/staged_folder.h"
+#include "app/walk.h"
 #include "app/warping.h"
+#include "portals/open_doors.h"
 #include "preprocess/tour.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -28,7 +30,8 @@ struct PlayOptions {
   std::string methods = "geometry,culling,ldi";
   std::string images = "baked";
   std::string size = "640x512";
-  float fov_degrees = 0;  ///< 0: the path's own
+  std::string shut, open;  ///< portals
+  float fov_degrees = 0;   ///< 0: the path's own
   int threads = 0;
   WarpingNames warping;
   PlaybackParameters playback;
@@ -55,6 +58,19 @@ CameraPath pathFor(const PlayOptions& options, const House& house, bool quiet) {
   CameraPath path = readCameraPath(options.tour);
   if (path.poses.empty()) throw Error(ErrorKind::kBadInput, options.tour, "holds no poses");
   return path;
+}
+
+/// Moves the doors that the command line names.
+void moveAskedDoors(const PlayOptions& options, House& house) {
+  if (options.shut.empty() && options.open.empty()) return;
+  const std::vector<std::uint8_t> closable = closablePortals(house);
+  const auto move = [&](const std::string& names, bool open, const char* option) {
+    if (!names.empty()) {
+      moveDoors(names, open, closable, ErrorKind::kUsage, option, house.graph);
+    }
+  };
+  move(options.open, true, "--open");
+  move(options.shut, false, "--shut");
 }
 
 ImageSource parseImageSource(const std::string& name) {
@@ -136,7 +152,8 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   const glm::ivec2 size = parseSize(options.size);
   const ImageSource source = parseImageSource(options.images);
   const Warping warping = parseWarping(options.warping);
-  const House house = readHouse(options.house);
+  House house = readHouse(options.house);
+  moveAskedDoors(options, house);
   const CameraPath path = pathFor(options, house, context.quiet);
   const PortalImages images = loadImages(options, house, source);
   StagedFolder folder(options.output, "frames.csv");
@@ -150,7 +167,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
   painter.setWarping(warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
-  const Camera camera = walkingCamera(house, fov, size.x, size.y);
+  const Walk walk(path, walkingCamera(house, fov, size.x, size.y), house, options.tour);
 
   Report report = describe(options, house, images, path);
   report.command = context.command_line;
@@ -161,7 +178,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   if (report.threads == 0) report.threads = report.machine.cores;
   {
     ProgressPrinter progress(context.quiet);
-    Playback played = playBack(painter, path, camera, options.playback, progress.sink());
+    Playback played = playBack(painter, walk, options.playback, progress.sink());
     report.records = std::move(played.records);
     report.findings = std::move(played.findings);
   }
@@ -188,6 +205,13 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
                   "The path: our JSON, TUM, or a glTF whose camera moves; without it the house's "
                   "own tour")
       ->type_name("FILE");
+  command
+      .add_option("--shut", options.shut,
+                  "Doors to shut: their portals' numbers, names, "
+                  "or patterns with * and ?, joined by commas; a tour may move them on the way")
+      ->type_name("PORTALS");
+  command.add_option("--open", options.open, "Doors to open that the house has shut")
+      ->type_name("PORTALS");
   command
       .add_option("--images", options.images,
                   "Where the portals' images come from: baked (files of the house), or on-demand "

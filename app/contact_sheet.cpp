@@ -101,7 +101,7 @@ Image shrunk(const Image& image, int by) {
   return small;
 }
 
-ContactSheet makeContactSheet(FramePainter& painter, const CameraPath& path, const Camera& camera,
+ContactSheet makeContactSheet(FramePainter& painter, const Walk& walk,
                               std::span<const Method> methods,
                               std::span<const std::size_t> frames) {
   ContactSheet sheet;
@@ -111,7 +111,7 @@ ContactSheet makeContactSheet(FramePainter& painter, const CameraPath& path, con
   const int shrink = (longest + kSheetGreatestCell - 1) / kSheetGreatestCell;
   std::vector<std::vector<Image>> rows;
   for (const std::size_t frame : frames) {
-    const Camera placed = cameraAt(path, frame, camera);
+    const Camera placed = walk.stepTo(frame, painter);
     ContactSheet::Row row{frame, {}};
     std::vector<Image> pictures;
     Image truth, picture;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/frame_painter.h"
-#include "scene/camera_path.h"
+#include "app/walk.h"
 
 namespace enfilade {
 
@@ -40,8 +40,8 @@ Image amplifiedDifference(const Image& a, const Image& b, int times);
 /// The means of squares of `by` × `by` pixels; what is left over on the right and below is cut off.
 Image shrunk(const Image& image, int by);
 
-/// Paints `frames` of the path by geometry and `methods`.  `camera` gives all but the pose.
-ContactSheet makeContactSheet(FramePainter& painter, const CameraPath& path, const Camera& camera,
+/// Paints `frames` of the walk by geometry and `methods`.
+ContactSheet makeContactSheet(FramePainter& painter, const Walk& walk,
                               std::span<const Method> methods, std::span<const std::size_t> frames);
 
 }  // namespace enfilade

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "app/stopwatch.h"
-#include "portals/open_doors.h"
+#include "portals/leaf_cover.h"
 
 namespace enfilade {
 
-FramePainter::FramePainter(GlContext& context, const House& house, const PortalImages& images,
-                           int width, int height, int threads, ImageSource source)
+FramePainter::FramePainter(GlContext& context, House& house, const PortalImages& images, int width,
+                           int height, int threads, ImageSource source)
     : house_(house),
+      leaves_(doorLeaves(house)),
       objects_(house),
       renderer_(context, house.building),
       baked_(images),
@@ -18,6 +19,7 @@ FramePainter::FramePainter(GlContext& context, const House& house, const PortalI
       width_(width),
       height_(height),
       threads_(threads) {
+  lookThroughShutPortals(house_, leaves_);
   if (source == ImageSource::kBaked) return;
   for (const MethodInfo& method : allMethods()) {
     if (method.portal_images)
@@ -27,7 +29,27 @@ FramePainter::FramePainter(GlContext& context, const House& house, const PortalI
 
 void FramePainter::buildRays() {
   if (rays_) return;
-  rays_ = std::make_unique<RayCaster>(house_.building, openDoors(house_), threads_);
+  std::vector<std::uint8_t> leaves(house_.building.objects.size(), 0);
+  for (const DoorLeaf& leaf : leaves_) leaves[leaf.object] = 1;
+  rays_ =
+      std::make_unique<RayCaster>(house_.building, openDoors(house_, leaves_), threads_, leaves);
+}
+
+void FramePainter::setDoors(std::span<const std::uint8_t> open) {
+  bool changed = false;
+  for (std::size_t p = 0; p < open.size(); ++p) {
+    Portal& portal = house_.graph.portals[p];
+    if (portal.active == (open[p] != 0)) continue;
+    changed = true;
+    portal.active = open[p] != 0;
+    if (!portal.active) {
+      portal.seen_within = seenWithinWhenShut(house_, static_cast<PortalId>(p), leaves_);
+    }
+  }
+  if (!changed) return;
+  objects_.setDoors(house_);
+  if (rays_) rays_->setHidden(openDoors(house_, leaves_));
+  for (auto& [method, maker] : makers_) maker.forget();
 }
 
 void FramePainter::prepare(Method method) {
@@ -83,8 +105,8 @@ VisibleSet FramePainter::cull(const View& view, const MethodInfo& method,
   ShowAsImage show_as_image;
   if (method.portal_images) {
     const PortalImages& images = imagesOf(method);
-    show_as_image = [&](const Portal&, PortalId id, bool from_front) {
-      return as_geometry != PortalSide{id, from_front} &&
+    show_as_image = [&](const Portal& portal, PortalId id, bool from_front) {
+      return portal.active && as_geometry != PortalSide{id, from_front} &&
              images.side(id, from_front).has(method.image_kind) &&
              isBeyondSwitch(house_, view.eye, id, from_front);
     };

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/frame_record.h"
@@ -23,12 +24,18 @@ enum class ImageSource : std::uint8_t { kBaked, kOnDemand };
 class FramePainter {
  public:
   /// `threads`: of the ray caster and the warp, 0: as many as the machine has.  `images`: the baked
-  /// ones, not used on demand.  All must outlive the painter.  Throws Error (kMachine).
-  FramePainter(GlContext& context, const House& house, const PortalImages& images, int width,
-               int height, int threads, ImageSource source = ImageSource::kBaked);
+  /// ones, not used on demand.  All must outlive the painter, which changes nothing of the house
+  /// but which portals are active.  Throws Error (kMachine).
+  FramePainter(GlContext& context, House& house, const PortalImages& images, int width, int height,
+               int threads, ImageSource source = ImageSource::kBaked);
 
   /// How images are warped from now on.
   void setWarping(const Warping& warping) { pictures_.setWarping(warping); }
+
+  /// Opens and shuts doors, `open` one flag a portal: a shut one's leaf is drawn, nothing is seen
+  /// through it and it shows no image.  Forgets what was made on demand if that changes anything;
+  /// baked images of other portals show the door as it stood.
+  void setDoors(std::span<const std::uint8_t> open);
 
   /// Begins a walk by `method`: builds what it needs beforehand, so that its first frame does not
   /// pay for it, and forgets the images that it made on demand.
@@ -73,7 +80,8 @@ class FramePainter {
   void buildRays();
   const PortalImages& imagesOf(const MethodInfo& method) const;
 
-  const House& house_;
+  House& house_;
+  std::vector<DoorLeaf> leaves_;
   ObjectIndex objects_;
   ObjectList in_view_;  // of the last frame
   Renderer renderer_;

@@ -97,15 +97,22 @@ std::string cellTable(const CellGraph& graph) {
 }
 
 std::string portalTable(const CellGraph& graph) {
-  std::string text = fmt::format("portals\n  {:>4} {:<8} {:>13} {:>8}  {}\n", "id", "kind",
-                                 "size m", "area m2", "between");
+  std::vector<std::string> between;
+  std::size_t widest = 7;
+  for (const Portal& portal : graph.portals) {
+    between.push_back(fmt::format("{} | {}{}{}", graph.cells[portal.front].name,
+                                  graph.cells[portal.back].name, isLevel(portal) ? "  (level)" : "",
+                                  portal.active ? "" : "  (shut)"));
+    widest = std::max(widest, between.back().size());
+  }
+  std::string text = fmt::format("portals\n  {:>4} {:<8} {:>13} {:>8}  {:<{}}  {}\n", "id", "kind",
+                                 "size m", "area m2", "between", widest, "name");
   for (std::size_t p = 0; p < graph.portals.size(); ++p) {
     const Portal& portal = graph.portals[p];
     const glm::vec2 size = portalSize(portal);
-    text += fmt::format("  {:>4} {:<8} {:>13} {:>8.2f}  {} | {}{}\n", p, kindName(portal.kind),
-                        fmt::format("{:.2f} x {:.2f}", size.x, size.y), portal.area(),
-                        graph.cells[portal.front].name, graph.cells[portal.back].name,
-                        isLevel(portal) ? "  (level)" : "");
+    text += fmt::format("  {:>4} {:<8} {:>13} {:>8.2f}  {:<{}}  {}\n", p, kindName(portal.kind),
+                        fmt::format("{:.2f} x {:.2f}", size.x, size.y), portal.area(), between[p],
+                        widest, portal.name);
   }
   return text;
 }

@@ -12,23 +12,23 @@ void report(const ProgressSink& progress, const std::string& stage, std::size_t 
 }
 
 /// The timed pass of one method.
-void timeFrames(FramePainter& painter, Method method, const CameraPath& path, const Camera& camera,
-                int warm_up, const ProgressSink& progress, std::vector<FrameRecord>& records) {
+void timeFrames(FramePainter& painter, Method method, const Walk& walk, int warm_up,
+                const ProgressSink& progress, std::vector<FrameRecord>& records) {
   const std::string stage = std::string("playing by ") + infoOf(method).name;
-  const std::size_t frames = path.poses.size();
+  const std::size_t frames = walk.frames();
   report(progress, stage, 0, frames);
   painter.prepare(method);
-  for (int i = 0; i < warm_up; ++i) painter.paint(method, cameraAt(path, 0, camera));
+  for (int i = 0; i < warm_up; ++i) painter.paint(method, walk.stepTo(0, painter));
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    records.push_back({method, frame, painter.paint(method, cameraAt(path, frame, camera))});
+    records.push_back({method, frame, painter.paint(method, walk.stepTo(frame, painter))});
     report(progress, stage, frame + 1, frames);
   }
 }
 
 }  // namespace
 
-Playback playBack(FramePainter& painter, const CameraPath& path, const Camera& camera,
-                  const PlaybackParameters& parameters, const ProgressSink& progress) {
+Playback playBack(FramePainter& painter, const Walk& walk, const PlaybackParameters& parameters,
+                  const ProgressSink& progress) {
   // Before the long work, so that a folder that cannot be written is known at once.
   if (!parameters.frames_dir.empty()) {
     for (const Method method : parameters.methods) {
@@ -36,14 +36,14 @@ Playback playBack(FramePainter& painter, const CameraPath& path, const Camera& c
     }
   }
   Playback played;
-  played.records.reserve(parameters.methods.size() * path.poses.size());
+  played.records.reserve(parameters.methods.size() * walk.frames());
   for (const Method method : parameters.methods) {
-    timeFrames(painter, method, path, camera, parameters.warm_up, progress, played.records);
+    timeFrames(painter, method, walk, parameters.warm_up, progress, played.records);
   }
   if (parameters.quality || !parameters.frames_dir.empty()) {
-    played.findings = lookAtFrames(painter, path, camera,
-                                   {parameters.methods, parameters.quality, parameters.frames_dir},
-                                   progress, played.records);
+    played.findings =
+        lookAtFrames(painter, walk, {parameters.methods, parameters.quality, parameters.frames_dir},
+                     progress, played.records);
   }
   return played;
 }

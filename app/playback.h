@@ -20,11 +20,11 @@ struct Playback {
   PictureFindings findings;          ///< with `quality`
 };
 
-/// Plays `path` by each method in turn, and returns a record for each method and frame.  Every
+/// Plays the walk by each method in turn, and returns a record for each method and frame.  Every
 /// method has a pass of its own in which nothing but its frames is painted and timed; pictures are
-/// compared and kept in a second pass.  `camera` gives all but the pose. Throws Error (kMachine)
+/// compared and kept in a second pass.  Throws Error (kMachine)
 /// when frames cannot be written.
-Playback playBack(FramePainter& painter, const CameraPath& path, const Camera& camera,
-                  const PlaybackParameters& parameters, const ProgressSink& progress);
+Playback playBack(FramePainter& painter, const Walk& walk, const PlaybackParameters& parameters,
+                  const ProgressSink& progress);
 
 }  // namespace enfilade

@@ -18,12 +18,11 @@ struct LastFrame {
   std::vector<SeenPortal> seen;
 };
 
-/// Compares frames with the true ones, in the order of the path.
+/// Compares frames with the true ones, in the order of the walk.
 class Comparison {
  public:
-  Comparison(FramePainter& painter, const CameraPath& path, const Camera& camera,
-             std::size_t methods)
-      : painter_(painter), path_(path), camera_(camera), last_(methods), jumps_(methods) {}
+  Comparison(FramePainter& painter, const Walk& walk, std::size_t methods)
+      : painter_(painter), walk_(walk), last_(methods), jumps_(methods) {}
 
   /// Paints the true frame: the painter holds it then.
   const Image& startFrame(std::size_t frame) {
@@ -57,7 +56,7 @@ class Comparison {
     return all;
   }
 
-  Camera at(std::size_t frame) const { return cameraAt(path_, frame, camera_); }
+  Camera at(std::size_t frame) const { return walk_.stepTo(frame, painter_); }
 
  private:
   void measureJumps(std::size_t m, Method method, const std::vector<PortalSwitch>& switches) {
@@ -71,8 +70,7 @@ class Comparison {
   }
 
   FramePainter& painter_;
-  const CameraPath& path_;
-  const Camera& camera_;
+  const Walk& walk_;
   std::vector<LastFrame> last_;                 ///< one a method
   std::vector<std::vector<SwitchJump>> jumps_;  ///< one a method
   std::size_t frame_ = 0;
@@ -100,28 +98,27 @@ std::vector<std::size_t> worstFramesOf(std::size_t m, std::size_t frames,
   return worstFrames(psnr_db, kSheetRows, frames / kSheetSpacing + 1);
 }
 
-std::optional<ContactSheet> sheetOf(FramePainter& painter, const CameraPath& path,
-                                    const Camera& camera, const std::vector<Method>& methods,
+std::optional<ContactSheet> sheetOf(FramePainter& painter, const Walk& walk,
+                                    const std::vector<Method>& methods,
                                     const std::vector<FrameRecord>& records) {
   const std::vector<Method> columns = imageMethodsOf(methods);
   if (columns.empty()) return std::nullopt;
   const auto last = std::find(methods.begin(), methods.end(), columns.back());
   const auto m = static_cast<std::size_t>(last - methods.begin());
-  const std::vector<std::size_t> frames = worstFramesOf(m, path.poses.size(), records);
-  return makeContactSheet(painter, path, camera, columns, frames);
+  const std::vector<std::size_t> frames = worstFramesOf(m, walk.frames(), records);
+  return makeContactSheet(painter, walk, columns, frames);
 }
 
 }  // namespace
 
-PictureFindings lookAtFrames(FramePainter& painter, const CameraPath& path, const Camera& camera,
-                             const PicturePass& pass, const ProgressSink& progress,
-                             std::vector<FrameRecord>& records) {
+PictureFindings lookAtFrames(FramePainter& painter, const Walk& walk, const PicturePass& pass,
+                             const ProgressSink& progress, std::vector<FrameRecord>& records) {
   const std::string stage = pass.quality ? "comparing pictures" : "keeping pictures";
-  const std::size_t frames = path.poses.size();
+  const std::size_t frames = walk.frames();
   const auto report = [&](std::size_t done) {
     if (progress) progress(stage, static_cast<double>(done) / static_cast<double>(frames));
   };
-  Comparison comparison(painter, path, camera, pass.methods.size());
+  Comparison comparison(painter, walk, pass.methods.size());
   Image picture;
   for (std::size_t frame = 0; frame < frames; ++frame) {
     report(frame);
@@ -139,7 +136,7 @@ PictureFindings lookAtFrames(FramePainter& painter, const CameraPath& path, cons
   PictureFindings findings;
   if (pass.quality) {
     findings.jumps = comparison.jumps();
-    findings.sheet = sheetOf(painter, path, camera, pass.methods, records);
+    findings.sheet = sheetOf(painter, walk, pass.methods, records);
   }
   report(frames);
   return findings;

@@ -6,6 +6,7 @@
 
 #include "app/contact_sheet.h"
 #include "app/switch_jump.h"
+#include "app/walk.h"
 #include "preprocess/progress.h"
 
 namespace enfilade {
@@ -23,11 +24,10 @@ struct PicturePass {
   std::string frames_dir;  ///< where to keep frames; empty: nowhere
 };
 
-/// Paints every frame of `path` by every method and looks at it, untimed.  With `quality` it fills
-/// in what the records say of pictures: that of method m and frame f is records[m · frames + f].
-/// `camera` gives all but the pose.  Throws Error (kMachine) when frames cannot be written.
-PictureFindings lookAtFrames(FramePainter& painter, const CameraPath& path, const Camera& camera,
-                             const PicturePass& pass, const ProgressSink& progress,
-                             std::vector<FrameRecord>& records);
+/// Paints every frame of the walk by every method and looks at it, untimed.  With `quality` it
+/// fills in what the records say of pictures: that of method m and frame f is records[m · frames +
+/// f]. Throws Error (kMachine) when frames cannot be written.
+PictureFindings lookAtFrames(FramePainter& painter, const Walk& walk, const PicturePass& pass,
+                             const ProgressSink& progress, std::vector<FrameRecord>& records);
 
 }  // namespace enfilade

@@ -29,7 +29,11 @@ struct Portal {
   CellId back = kNoCell;
   PortalKind kind = PortalKind::kOpening;
   bool two_way = true;  ///< false: seen through from the front cell only
-  bool active = true;   ///< false: shut, nothing is seen through it
+  bool active = true;  ///< false: shut: its door's leaf is there, it shows no image, and nothing is
+                       ///< seen through it
+  /// [m] A shut one is seen through by an eye nearer than this, which may be between it and its
+  /// leaf; from anywhere if the leaf does not fill it.  Not stored: see lookThroughShutPortals().
+  float seen_within = 0;
 
   glm::vec3 center() const;  ///< centre of area
   float area() const;        ///< [m²]

@@ -17,28 +17,36 @@ bool standsIn(const Portal& portal, const glm::vec3& middle) {
 
 }  // namespace
 
-std::vector<ShutDoor> shutDoors(const House& house) {
-  std::vector<PortalId> shut;
-  for (PortalId p = 0; p < house.graph.portals.size(); ++p) {
-    if (!house.graph.portals[p].active) shut.push_back(p);
-  }
-  std::vector<ShutDoor> doors;
-  if (shut.empty()) return doors;
+std::vector<DoorLeaf> doorLeaves(const House& house) {
+  std::vector<DoorLeaf> leaves;
   for (std::uint32_t object = 0; object < house.object_roles.size(); ++object) {
     if (house.object_roles[object] != ObjectRole::kDoor) continue;
     const Box box = worldBounds(house.building, house.building.objects[object]);
     if (box.empty()) continue;
-    for (const PortalId p : shut) {
-      if (standsIn(house.graph.portals[p], box.center())) doors.push_back({object, p});
+    for (PortalId p = 0; p < house.graph.portals.size(); ++p) {
+      if (standsIn(house.graph.portals[p], box.center())) leaves.push_back({object, p});
     }
   }
-  return doors;
+  return leaves;
+}
+
+std::vector<std::uint8_t> openDoors(const House& house, std::span<const DoorLeaf> leaves) {
+  std::vector<std::uint8_t> open = doorFlags(house.object_roles);
+  for (const DoorLeaf& leaf : leaves) {
+    if (!house.graph.portals[leaf.portal].active) open[leaf.object] = 0;
+  }
+  return open;
 }
 
 std::vector<std::uint8_t> openDoors(const House& house) {
-  std::vector<std::uint8_t> open = doorFlags(house.object_roles);
-  for (const ShutDoor& door : shutDoors(house)) open[door.object] = 0;
-  return open;
+  return openDoors(house, doorLeaves(house));
+}
+
+std::vector<std::uint8_t> closablePortals(const House& house) {
+  std::vector<std::uint8_t> closable;
+  for (const Portal& portal : house.graph.portals) closable.push_back(!portal.active);
+  for (const DoorLeaf& leaf : doorLeaves(house)) closable[leaf.portal] = 1;
+  return closable;
 }
 
 }  // namespace enfilade

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ibr/capture_plan.h"
+#include "portals/leaf_cover.h"
 #include "preprocess/authored_diagnosis.h"
 #include "preprocess/authored_names.h"
 #include "preprocess/bake_images.h"
@@ -145,6 +146,7 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   house.building = std::move(shared.building);
   house.object_roles = std::move(shared.roles);
   house.object_cells = std::move(shared.cells);
+  lookThroughShutPortals(house, doorLeaves(house));
   house.switch_distance = parameters.image.switch_distance;
   house.eye_height = parameters.eye_height;
   house.info.parameters = parameterTexts(parameters);

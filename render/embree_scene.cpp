@@ -32,6 +32,7 @@ struct EmbreeScene::Filter {
   static bool passes(const Filtered& filtered, const RayQuery& query, unsigned int triangle,
                      float u, float v, const glm::vec3& direction, const glm::vec3& normal,
                      float distance) {
+    if (filtered.hidden) return true;
     const Material& material = filtered.surfaces->material(filtered.object);
     const bool one_sided = !material.double_sided && !query.meets_backs;
     if (one_sided && glm::dot(normal, direction) > 0.0f) return true;
@@ -62,7 +63,8 @@ struct EmbreeScene::Filter {
 };
 
 EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
-                         std::span<const std::uint8_t> hidden)
+                         std::span<const std::uint8_t> hidden,
+                         std::span<const std::uint8_t> switched)
     : surfaces_(surfaces) {
   device_ = rtcNewDevice(nullptr);
   if (device_ == nullptr) throw Error(ErrorKind::kMachine, "Embree", "cannot be started");
@@ -71,10 +73,12 @@ EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   filtered_.resize(building.objects.size());
   for (std::uint32_t o = 0; o < building.objects.size(); ++o) {
-    filtered_[o] = {&surfaces_, o};
-    if (o < hidden.size() && hidden[o] != 0) continue;
+    const bool is_switched = o < switched.size() && switched[o] != 0;
+    const bool is_hidden = o < hidden.size() && hidden[o] != 0;
+    filtered_[o] = {&surfaces_, o, is_switched, is_hidden};
+    if (is_hidden && !is_switched) continue;
     if (surfaces_.world().objects[o].count == 0) continue;
-    addObject(o, needsFilter(surfaces_.material(o)));
+    addObject(o, is_switched || needsFilter(surfaces_.material(o)));
   }
   // On one thread, so that where surfaces coincide the same one is met in every run.
   tbb::task_arena(1).execute([&] { rtcJoinCommitScene(scene_); });
@@ -84,6 +88,12 @@ EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
 EmbreeScene::~EmbreeScene() {
   rtcReleaseScene(scene_);
   rtcReleaseDevice(device_);
+}
+
+void EmbreeScene::setHidden(std::span<const std::uint8_t> hidden) noexcept {
+  for (Filtered& filtered : filtered_) {
+    if (filtered.switched) filtered.hidden = hidden[filtered.object] != 0;
+  }
 }
 
 void EmbreeScene::addObject(std::uint32_t object, bool filtered) {

@@ -24,12 +24,15 @@ struct RayQuery {
 /// Embree's view of a building: one geometry an object, whose number is the object's.
 class EmbreeScene {
  public:
-  /// `hidden`: one flag an object, or empty.  Keeps references to both.  Throws Error (kMachine).
+  /// `hidden`, `switched`: see RayCaster.  Keeps references to both.  Throws Error (kMachine).
   EmbreeScene(const Building& building, const Surfaces& surfaces,
-              std::span<const std::uint8_t> hidden);
+              std::span<const std::uint8_t> hidden, std::span<const std::uint8_t> switched);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  /// Hides or shows switched objects, while no ray is on its way.
+  void setHidden(std::span<const std::uint8_t> hidden) noexcept;
 
   /// `valid`: −1 for the rays to trace, aligned to 64 bytes.  Thread-safe.
   void intersect(const int* valid, RTCRayHit16& rays, const RayQuery& query,
@@ -40,6 +43,7 @@ class EmbreeScene {
   struct Filtered {
     const Surfaces* surfaces;
     std::uint32_t object;
+    bool switched, hidden;
   };
   struct Filter;
 

@@ -55,9 +55,10 @@ RTCRayHit nextOn(const EmbreeScene& scene, const PictureRay& ray, float least,
 }  // namespace
 
 struct RayCaster::Impl {
-  Impl(const Building& building, std::span<const std::uint8_t> hidden, int thread_count)
+  Impl(const Building& building, std::span<const std::uint8_t> hidden,
+       std::span<const std::uint8_t> switched, int thread_count)
       : surfaces(building),
-        scene(building, surfaces, hidden),
+        scene(building, surfaces, hidden, switched),
         threads(thread_count > 0 ? thread_count
                                  : static_cast<int>(std::thread::hardware_concurrency())) {}
 
@@ -66,8 +67,11 @@ struct RayCaster::Impl {
   int threads;
 };
 
-RayCaster::RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads)
-    : impl_(std::make_unique<Impl>(building, hidden, threads)) {}
+RayCaster::RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads,
+                     std::span<const std::uint8_t> switched)
+    : impl_(std::make_unique<Impl>(building, hidden, switched, threads)) {}
+
+void RayCaster::setHidden(std::span<const std::uint8_t> hidden) { impl_->scene.setHidden(hidden); }
 
 RayCaster::~RayCaster() = default;
 

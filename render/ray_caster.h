@@ -57,12 +57,17 @@ struct SurfaceOnRay {
 class RayCaster {
  public:
   /// `hidden`: one flag an object (not 0: hidden), or empty; hidden objects are not there (doors
-  /// while walking).  `threads` 0: as many as the machine has.  Keeps a reference to `building`.
-  /// Throws Error (kMachine).
-  RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads);
+  /// while walking).  `switched`, likewise: which objects setHidden() may hide and show; it costs
+  /// rays that meet them.  `threads` 0: as many as the machine has.  Keeps a reference to
+  /// `building`.  Throws Error (kMachine).
+  RayCaster(const Building& building, std::span<const std::uint8_t> hidden, int threads,
+            std::span<const std::uint8_t> switched = {});
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
+
+  /// Hides or shows switched objects, `hidden` one flag an object, while no ray is on its way.
+  void setHidden(std::span<const std::uint8_t> hidden);
 
   /// A picture of `width` × `height` rays through the pixel centres; the sky where nothing is met.
   void render(const Camera& camera, int width, int height, Image& out) const;

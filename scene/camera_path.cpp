@@ -52,6 +52,35 @@ void readFrame(const std::string& file, std::size_t index, const json& frame, Ca
   appendPose(file, place, pose, path);
 }
 
+void readDoor(const std::string& file, std::size_t index, const json& door, CameraPath& path) {
+  const std::string place = fmt::format("doors[{}]", index);
+  const auto member = [&](const char* key) {
+    return door.is_object() && door.contains(key) ? door[key] : json();
+  };
+  if (!member("t").is_number()) fail(file, place + ": \"t\" is no number");
+  if (!member("portal").is_string()) fail(file, place + ": \"portal\" is no name");
+  if (!member("open").is_boolean()) fail(file, place + ": \"open\" is neither true nor false");
+  DoorEvent event{member("t"), member("portal"), member("open")};
+  if (!std::isfinite(event.time)) fail(file, place + ": \"t\" is not finite");
+  if (!path.doors.empty() && event.time < path.doors.back().time) {
+    fail(file, place + " is earlier than the one before it");
+  }
+  path.doors.push_back(std::move(event));
+}
+
+std::string textOfName(const std::string& name) {
+  return json(name).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string textOfDoors(const std::vector<DoorEvent>& doors) {
+  std::string text;
+  for (const DoorEvent& door : doors) {
+    text += fmt::format("{}\n{{\"t\":{},\"portal\":{},\"open\":{}}}", text.empty() ? "" : ",",
+                        door.time, textOfName(door.portal), door.open);
+  }
+  return text.empty() ? text : ",\n\"doors\": [" + text + "\n]";
+}
+
 std::string textOfPose(const TimedPose& timed, const char* format) {
   const glm::vec3& p = timed.pose.position;
   const glm::quat& q = timed.pose.world_from_camera_rotation;
@@ -95,6 +124,11 @@ CameraPath readTour(const std::string& file, const json& root) {
     fail(file, "is a tour without frames");
   }
   for (std::size_t i = 0; i < frames->size(); ++i) readFrame(file, i, (*frames)[i], path);
+  if (root.contains("doors")) {
+    const json& doors = root["doors"];
+    if (!doors.is_array()) fail(file, "\"doors\" is no list");
+    for (std::size_t i = 0; i < doors.size(); ++i) readDoor(file, i, doors[i], path);
+  }
   return path;
 }
 
@@ -126,16 +160,15 @@ CameraPath readCameraPath(const std::string& file, double frames_per_second) {
 }
 
 void writeCameraPath(const std::string& file, const CameraPath& path) {
-  const std::string name = json(path.name).dump(-1, ' ', false, json::error_handler_t::replace);
   std::string text = fmt::format(
       "{{\n\"enfilade\": \"tour\",\n\"version\": 1,\n\"name\": {},\n\"vertical_fov_degrees\": {},\n"
       "\"frames\": [",
-      name, glm::degrees(static_cast<double>(path.vertical_fov)));
+      textOfName(path.name), glm::degrees(static_cast<double>(path.vertical_fov)));
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
     text += i == 0 ? "\n" : ",\n";
     text += textOfPose(path.poses[i], R"({{"t":{},"p":[{},{},{}],"q":[{},{},{},{}]}})");
   }
-  writeFileAtomically(file, text + "\n]\n}\n");
+  writeFileAtomically(file, text + "\n]" + textOfDoors(path.doors) + "\n}\n");
 }
 
 void writeTumPath(const std::string& file, const CameraPath& path) {

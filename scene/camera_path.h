@@ -12,11 +12,19 @@ struct TimedPose {
   Pose pose;
 };
 
+/// What happens to doors along a path.
+struct DoorEvent {
+  double time = 0;     ///< [s], not decreasing along a path
+  std::string portal;  ///< the doors' portals: name, number or pattern
+  bool open = true;    ///< from then on
+};
+
 /// A scripted walk: one pose a frame.
 struct CameraPath {
   std::string name;
   float vertical_fov = 1.047f;  ///< [rad] 0…π, neither of them
   std::vector<TimedPose> poses;
+  std::vector<DoorEvent> doors;
 };
 
 /// `camera` with the pose of the path's frame `frame`.
@@ -24,7 +32,8 @@ Camera cameraAt(const CameraPath& path, std::size_t frame, const Camera& camera)
 
 /// Reads a path, at least one pose.  By content, whatever the extension:
 /// - our JSON: {"enfilade": "tour", "version": 1, "name": …, "vertical_fov_degrees": …,
-///   "frames": [{"t": seconds, "p": [x, y, z], "q": [x, y, z, w]}, …]};
+///   "frames": [{"t": seconds, "p": [x, y, z], "q": [x, y, z, w]}, …]}, and perhaps
+///   "doors": [{"t": seconds, "portal": name, "open": true or false}, …];
 /// - TUM: lines of `timestamp tx ty tz qx qy qz qw`, `#` comments.  Rotations as here, a camera
 /// that
 ///   looks down its −Z; the format has no field of view, so it stays the default;
@@ -38,7 +47,7 @@ CameraPath readCameraPath(const std::string& file, double frames_per_second = 30
 /// (kMachine).
 void writeCameraPath(const std::string& file, const CameraPath& path);
 
-/// Writes TUM lines, by way of a temporary name.  Throws Error (kMachine).
+/// Writes TUM lines, without doors, by way of a temporary name.  Throws Error (kMachine).
 void writeTumPath(const std::string& file, const CameraPath& path);
 
 }  // namespace enfilade

@@ -5,8 +5,6 @@
 #include <cassert>
 #include <utility>
 
-#include "portals/open_doors.h"
-
 namespace enfilade {
 
 namespace {
@@ -25,39 +23,51 @@ std::vector<Plane> frustumPlanes(const View& view) {
   return planes;
 }
 
-/// The cells that can see each object.  A shut door is seen from both sides of its portal, beyond
-/// which it may stand.
-std::vector<std::vector<CellId>> cellsOfObjects(const House& house) {
+/// The cells that can see each object; none of doors that nothing shuts.
+std::vector<std::vector<CellId>> cellsOfObjects(const House& house,
+                                                std::span<const DoorLeaf> leaves) {
   std::vector<std::vector<CellId>> cells = house.object_cells;
-  for (const ShutDoor& door : shutDoors(house)) {
-    std::vector<CellId>& of_door = cells[door.object];
-    const Portal& portal = house.graph.portals[door.portal];
+  std::vector<std::uint8_t> never = doorFlags(house.object_roles);
+  for (const DoorLeaf& leaf : leaves) {
+    never[leaf.object] = 0;
+    std::vector<CellId>& of_door = cells[leaf.object];
+    const Portal& portal = house.graph.portals[leaf.portal];
     of_door.insert(of_door.end(), {portal.front, portal.back});
     std::sort(of_door.begin(), of_door.end());
     of_door.erase(std::unique(of_door.begin(), of_door.end()), of_door.end());
+  }
+  for (std::size_t object = 0; object < cells.size(); ++object) {
+    if (never[object]) cells[object].clear();
   }
   return cells;
 }
 
 }  // namespace
 
-ObjectIndex::ObjectIndex(const House& house) : first_(house.graph.cells.size() + 1, 0) {
+ObjectIndex::ObjectIndex(const House& house)
+    : leaves_(doorLeaves(house)), first_(house.graph.cells.size() + 1, 0) {
   const auto count = static_cast<std::uint32_t>(house.building.objects.size());
   assert(house.object_roles.size() == count && house.object_cells.size() == count);
-  const std::vector<std::uint8_t> open = openDoors(house);
-  const std::vector<std::vector<CellId>> cells = cellsOfObjects(house);
+  const std::vector<std::vector<CellId>> cells = cellsOfObjects(house, leaves_);
   bounds_.reserve(count);
   for (std::uint32_t object = 0; object < count; ++object) {
     bounds_.push_back(worldBounds(house.building, house.building.objects[object]));
-    if (open[object]) continue;
-    drawn_.push_back(object);
     for (const CellId cell : cells[object]) ++first_[cell + 1];
   }
   for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   cell_objects_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const std::uint32_t object : drawn_) {
+  for (std::uint32_t object = 0; object < count; ++object) {
     for (const CellId cell : cells[object]) cell_objects_[next[cell]++] = object;
+  }
+  setDoors(house);
+}
+
+void ObjectIndex::setDoors(const House& house) {
+  open_ = openDoors(house, leaves_);
+  drawn_.clear();
+  for (std::uint32_t object = 0; object < open_.size(); ++object) {
+    if (!open_[object]) drawn_.push_back(object);
   }
 }
 
@@ -69,7 +79,7 @@ void ObjectIndex::visible(const VisibleSet& set, ObjectList& list) const {
   list.seen.assign(bounds_.size(), 0);
   for (const VisibleCell& cell : set.cells) {
     for (const std::uint32_t object : ofCell(cell.cell)) {
-      if (list.seen[object]) continue;
+      if (list.seen[object] || open_[object]) continue;
       list.seen[object] = std::any_of(
           cell.regions.begin(), cell.regions.end(),
           [&](const ScreenRegion& region) { return mayBeSeen(region, bounds_[object]); });

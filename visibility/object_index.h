@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "portals/house.h"
+#include "portals/open_doors.h"
 #include "visibility/portal_culling.h"
 
 namespace enfilade {
@@ -16,11 +17,14 @@ struct ObjectList {
 };
 
 /// Which objects stand in which cell, and where: made once for a house, asked each frame.
-/// Doors that stand open (see openDoors()) are left out everywhere.
+/// Doors that stand open (see openDoors()) are left out.
 class ObjectIndex {
  public:
   /// `house` need not outlive it.
   explicit ObjectIndex(const House& house);
+
+  /// Draws the doors as they stand now: `house` is the same but for which portals are active.
+  void setDoors(const House& house);
 
   /// The objects to draw, increasing: of the visible cells, those whose box may be seen through one
   /// of the cell's regions.  Conservative.
@@ -34,14 +38,17 @@ class ObjectIndex {
   std::vector<std::uint32_t> inFrustum(const View& view) const;
   void inFrustum(const View& view, ObjectList& list) const;
 
-  /// The objects that the cell can see, increasing.
+  /// The objects that the cell can see, increasing, doors among them that may be shut.  A door is
+  /// seen from both sides of its portal, beyond which it may stand.
   std::span<const std::uint32_t> ofCell(CellId cell) const noexcept;
 
   /// The box of every object [m, world], doors too.
   std::span<const Box> bounds() const noexcept { return bounds_; }
 
  private:
-  std::vector<Box> bounds_;           // one an object
+  std::vector<Box> bounds_;  // one an object
+  std::vector<DoorLeaf> leaves_;
+  std::vector<std::uint8_t> open_;    // one an object: a door that stands open
   std::vector<std::uint32_t> drawn_;  // every object but open doors, increasing
   std::vector<std::uint32_t> first_;  // one a cell and one more, into cell_objects_
   std::vector<std::uint32_t> cell_objects_;

@@ -119,10 +119,15 @@ class Search {
                        [&](const ScreenRegion& other) { return contains(other, region); });
   }
 
+  bool isClosed(const Portal& portal) const {
+    return !portal.active &&
+           !(distanceToPolygon(portal.polygon, portal.plane, view_.eye) < portal.seen_within);
+  }
+
   void look(const Visit& visit, PortalId id) {
     const Portal& portal = graph_.portals[id];
     const bool from_front = portal.front == visit.cell;
-    if (!portal.active || (!from_front && !portal.two_way)) return;
+    if ((!from_front && !portal.two_way) || isClosed(portal)) return;
     const Outlook& eye = outlook(id);
     if (!eye.near && (from_front ? eye.distance : -eye.distance) < -kPlaneTolerance) return;
     ScreenRegion region = eye.near ? visit.region : clipRegion(view_, visit.region, eye.clip);

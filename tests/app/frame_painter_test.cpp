@@ -90,7 +90,7 @@ TEST_F(FramePainterTest, PlaybackRecordsEveryFrameOfEveryMethodAndKeepsPictures)
   path_.poses.resize(5);
   std::vector<std::string> stages;
   const std::vector<FrameRecord> records =
-      playBack(painter_, path_, camera_,
+      playBack(painter_, Walk(path_, camera_),
                {.methods = {Method::kGeometry, Method::kCulling},
                 .quality = true,
                 .frames_dir = here.path()},

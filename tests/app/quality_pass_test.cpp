@@ -78,7 +78,7 @@ class QualityPass : public ::testing::Test {
     for (const Method method : pass.methods) {
       for (std::size_t f = 0; f < path_.poses.size(); ++f) records_.push_back({method, f, {}});
     }
-    return lookAtFrames(*painter_, path_, camera_, pass, {}, records_);
+    return lookAtFrames(*painter_, Walk(path_, camera_), pass, {}, records_);
   }
 
   const FrameRecord& record(std::size_t method, std::size_t frame) const {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/frame_painter.h"
+#include "app/walk.h"
 #include "portals/open_doors.h"
 #include "preprocess/tour.h"
 #include "tests/preprocess/tour_houses.h"
@@ -30,19 +30,27 @@ House houseWithDoor(bool active) {
   return house;
 }
 
-Image paint(const House& house, Method method, const glm::vec3& eye, const glm::vec3& to) {
-  const PortalImages images;
-  const auto gl = createOsMesaContext(1);
-  FramePainter painter(*gl, house, images, kWidth, kHeight, 1);
+Camera cameraAt(const House& house, const glm::vec3& eye, const glm::vec3& to) {
   Camera camera = walkingCamera(house, 1.0f, kWidth, kHeight);
   camera.pose.position = eye;
   camera.pose.world_from_camera_rotation =
       glm::quatLookAt(glm::normalize(to - eye), glm::vec3(0, 1, 0));
-  painter.prepare(method);
+  return camera;
+}
+
+Image paint(FramePainter& painter, Method method, const Camera& camera) {
   painter.paint(method, camera);
   Image picture;
   painter.read(picture);
   return picture;
+}
+
+Image paint(House house, Method method, const glm::vec3& eye, const glm::vec3& to) {
+  const PortalImages images;
+  const auto gl = createOsMesaContext(1);
+  FramePainter painter(*gl, house, images, kWidth, kHeight, 1);
+  painter.prepare(method);
+  return paint(painter, method, cameraAt(house, eye, to));
 }
 
 TEST(ShutDoor, IsTheOneInTheShutPortal) {
@@ -80,6 +88,86 @@ TEST(ShutDoor, IsMetByRays) {
 TEST(ShutDoor, IsAnObstacleToATour) {
   EXPECT_EQ(makeTour(houseWithDoor(true), {.frames = 20}).visited.size(), 2u);
   EXPECT_EQ(makeTour(houseWithDoor(false), {.frames = 20}).visited.size(), 1u);
+}
+
+/// A walk past a door that opens and shuts.
+class MovingDoor : public ::testing::Test {
+ protected:
+  Image shown(bool open, Method method) const {
+    return paint(houseWithDoor(open), method, kEye, kDoorway);
+  }
+
+  const glm::vec3 kEye{1, 1.6f, 2}, kDoorway{4.1f, 1.2f, 2};
+  const std::vector<std::uint8_t> open_{1}, shut_{0};
+  const PortalImages none_;
+  std::unique_ptr<GlContext> gl_ = createOsMesaContext(1);
+  House house_ = houseWithDoor(true);
+  Camera camera_ = cameraAt(house_, kEye, kDoorway);
+};
+
+TEST_F(MovingDoor, IsShownAsInAHouseWhereItStandsSo) {
+  FramePainter painter(*gl_, house_, none_, kWidth, kHeight, 1);
+  for (const Method method : {Method::kGeometry, Method::kCulling, Method::kRaycast}) {
+    painter.setDoors(open_);
+    EXPECT_EQ(paint(painter, method, camera_).rgba, shown(true, method).rgba);
+    painter.setDoors(shut_);
+    EXPECT_EQ(paint(painter, method, camera_).rgba, shown(false, method).rgba);
+  }
+  painter.setDoors(open_);
+  EXPECT_EQ(paint(painter, Method::kCulling, camera_).rgba, shown(true, Method::kCulling).rgba);
+}
+
+TEST_F(MovingDoor, ShowsNoImageWhileItIsShut) {
+  FramePainter painter(*gl_, house_, none_, kWidth, kHeight, 1, ImageSource::kOnDemand);
+  painter.prepare(Method::kTexture);
+  const auto portalsSeen = [&] {
+    paint(painter, Method::kTexture, camera_);
+    return painter.seenPortals();
+  };
+  ASSERT_EQ(portalsSeen().size(), 1u);
+  EXPECT_TRUE(portalsSeen()[0].as_image);
+  painter.setDoors(shut_);
+  EXPECT_TRUE(portalsSeen().empty());
+  EXPECT_EQ(paint(painter, Method::kTexture, camera_).rgba, shown(false, Method::kGeometry).rgba);
+}
+
+TEST_F(MovingDoor, MovesWhenThePathSaysSoAndStandsThereInEveryPass) {
+  CameraPath path;
+  for (int i = 0; i < 6; ++i) path.poses.push_back({0.5 * i, camera_.pose});
+  path.doors = {{0.9, "0", false}, {2.0, "?,0", true}};
+  const Walk walk(path, camera_, house_, "tour.json");
+  FramePainter painter(*gl_, house_, none_, kWidth, kHeight, 1);
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::size_t frame = 0; frame < 6; ++frame) {
+      const Image picture = paint(painter, Method::kCulling, walk.stepTo(frame, painter));
+      const bool open = frame < 2 || frame >= 4;
+      EXPECT_EQ(picture.rgba, shown(open, Method::kCulling).rgba) << "frame " << frame;
+    }
+  }
+  const Image before = paint(painter, Method::kCulling, walk.stepTo(2, painter));
+  EXPECT_EQ(before.rgba, shown(false, Method::kCulling).rgba) << "stepping back";
+}
+
+TEST_F(MovingDoor, IsNotFoundWithoutALeafOrByAnotherName) {
+  const auto complaintOf = [&](const House& house, const std::string& portal) {
+    CameraPath path;
+    path.poses = {{0, camera_.pose}};
+    path.doors = {{0, portal, false}};
+    try {
+      const Walk walk(path, camera_, house, "tour.json");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaintOf(house_, "*"), "");
+  EXPECT_NE(complaintOf(house_, "gate*").find("tour.json: doors[0]: no portal is called 'gate*'"),
+            std::string::npos);
+  House bare = house_;
+  for (ObjectRole& role : bare.object_roles) role = ObjectRole::kFixed;
+  EXPECT_NE(complaintOf(bare, "0").find("has no door's leaf"), std::string::npos);
+  bare.graph.portals[0].active = false;
+  EXPECT_EQ(complaintOf(bare, "0"), "") << "what is shut can be opened";
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ CameraPath walk() {
     path.poses.push_back({static_cast<double>(i) / 30.0,
                           poseFromAngles({std::sin(t), 1.6f, -t}, 0.7f * t, 0.1f * std::cos(t))});
   }
+  path.doors = {{0.5, "hall/\"kitchen\"-portal", false}, {1.25, "7", true}};
   return path;
 }
 
@@ -52,6 +53,26 @@ TEST_F(CameraPaths, AreTheSameAfterWritingAndReading) {
   EXPECT_EQ(back.name, walk().name);
   EXPECT_EQ(back.vertical_fov, walk().vertical_fov);
   expectSamePoses(back, walk());
+  ASSERT_EQ(back.doors.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.doors[i].time, walk().doors[i].time);
+    EXPECT_EQ(back.doors[i].portal, walk().doors[i].portal);
+    EXPECT_EQ(back.doors[i].open, walk().doors[i].open);
+  }
+}
+
+TEST_F(CameraPaths, DoorsAreChecked) {
+  const std::string frames = R"({"t":0,"p":[0,0,0],"q":[0,0,0,1]})";
+  const auto doors = [&](const std::string& text) {
+    return R"({"enfilade": "tour", "version": 1, "frames": [)" + frames + "], \"doors\": " + text +
+           "}";
+  };
+  expectBad(doors("5"), "\"doors\" is no list");
+  expectBad(doors("[5]"), "doors[0]: \"t\" is no number");
+  expectBad(doors(R"([{"t":1,"portal":5,"open":true}])"), "doors[0]: \"portal\" is no name");
+  expectBad(doors(R"([{"t":1,"portal":"a","open":1}])"), "doors[0]: \"open\" is neither");
+  expectBad(doors(R"([{"t":1,"portal":"a","open":true},{"t":0,"portal":"a","open":true}])"),
+            "doors[1] is earlier");
 }
 
 TEST_F(CameraPaths, AreTheSameAfterWritingAndReadingAsTum) {

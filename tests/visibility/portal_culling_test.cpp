@@ -157,6 +157,14 @@ TEST(PortalCulling, NothingIsSeenThroughAShutPortal) {
   EXPECT_FALSE(sees(cullByPortals(graph, look({0, 0, -7.95f}, {0, 0, -9}), 2), 3));
 }
 
+TEST(PortalCulling, AShutPortalIsSeenThroughByAnEyeBetweenItAndItsLeaf) {
+  CellGraph graph = roomRow(2);
+  graph.portals[0].active = false;
+  graph.portals[0].seen_within = 0.1f;
+  EXPECT_TRUE(sees(cullByPortals(graph, look({0, 0, -3.95f}, {0, 0, -5}), 1), 2));
+  EXPECT_FALSE(sees(cullByPortals(graph, look({0, 0, -3.85f}, {0, 0, -5}), 1), 2));
+}
+
 TEST(PortalCulling, SeveralPathsIntoOneCellGiveAllTheirRegions) {
   const CellGraph graph =
       graphOf(3, {portalAcrossZ(-4, -2, -1, -1, 1, 1, 2), portalAcrossZ(-4, 1, -1, 2, 1, 1, 2)});
