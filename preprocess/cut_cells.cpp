@@ -92,8 +92,10 @@ Attempt attemptCut(const VoxelGrid& grid, const CellProposal& proposal,
     if (cells.empty()) out.useless.push_back(i);
     // A portal that touches several cells on a side stands once for each pair: it may show too
     // much, never too little.
+    int number = 0;
     for (const auto& [front, back] : cells) {
       Portal portal = portals[i];
+      if (++number > 1) portal.name += fmt::format("#{}", number);
       portal.front = front;
       portal.back = back;
       out.portals.push_back(std::move(portal));

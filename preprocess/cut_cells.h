@@ -22,7 +22,8 @@ struct CutCells {
 
 /// Makes a proposal true: cuts the free voxels by every portal polygon, takes the connected
 /// components of what is left as cells, each named as the proposed cell that owns most of it, and
-/// gives each portal the cells found on its two sides.  Proposed cells that remain connected after
+/// gives each portal the cells found on its two sides; before several it stands once for each pair,
+/// NAME#2 after the first.  Proposed cells that remain connected after
 /// the cut become one; a portal with the same cell on both sides goes; free space that no one
 /// proposed but that a portal opens to becomes a cell of its own; sealed cavities belong to nobody.
 /// So every line of sight between two cells crosses a portal polygon, to the precision of a voxel.

@@ -76,7 +76,7 @@ void ownByBounds(const GivenGraph& given, const VoxelGrid& voxels, CellProposal&
 }
 
 /// A portal that joins several pairs of cells stands once for each in a house, but cuts once.
-bool isSame(const Portal& a, const Portal& b) { return a.name == b.name && a.polygon == b.polygon; }
+bool isSame(const Portal& a, const Portal& b) { return a.polygon == b.polygon; }
 
 void turn(Portal& portal) {
   std::reverse(portal.polygon.begin(), portal.polygon.end());
@@ -91,7 +91,7 @@ void settle(Portal& portal, const CellGraph& wanted, CutCells& cells) {
   const Portal* reversed = nullptr;
   const Portal* other = nullptr;
   for (const Portal& said : wanted.portals) {
-    if (said.name != portal.name) continue;
+    if (!isSame(said, portal)) continue;
     const std::string& said_front = wanted.cells[said.front].name;
     const std::string& said_back = wanted.cells[said.back].name;
     if (said_front == front && said_back == back) return;

@@ -13,8 +13,8 @@ struct TwoRooms {
   VoxelGrid voxels;
   CellProposal proposal;
 
-  explicit TwoRooms(float door_width = 1.0f) {
-    test.twoRooms({{1.5f, 1.5f + door_width, 0, 2.1f}});
+  explicit TwoRooms(float door_width = 1.0f) : TwoRooms(withDoorway(door_width)) {}
+  explicit TwoRooms(TestBuilding building) : test(std::move(building)) {
     voxels = voxelise(test.building, test.roles, 0.1f);
     proposal.storeys = {{"ground", 0}};
     proposal.cell_names = {"exterior", "left", "right"};
@@ -22,6 +22,11 @@ struct TwoRooms {
     proposal.owner.assign(voxels.bits.size(), CellProposal::kNobody);
     own(1, {{0.1f, 0, 0.1f}, {4, 3, 3.9f}});
     own(2, {{4, 0, 0.1f}, {7.9f, 3, 3.9f}});
+  }
+  static TestBuilding withDoorway(float width) {
+    TestBuilding building;
+    building.twoRooms({{1.5f, 1.5f + width, 0, 2.1f}});
+    return building;
   }
   void own(std::uint16_t cell, const Box& box) {
     for (int x = 0; x < voxels.size.x; ++x)
@@ -98,6 +103,22 @@ TEST(CutCells, APortalInTheMiddleOfARoomIsDropped) {
   EXPECT_EQ(cut.graph.cells.size(), 3u);
   ASSERT_EQ(cut.graph.portals.size(), 1u);
   EXPECT_EQ(cut.graph.portals[0].name, "door");
+}
+
+TEST(CutCells, APortalBeforeTwoRoomsStandsForEachUnderANameOfItsOwn) {
+  TestBuilding test;
+  test.twoRooms({{1.5f, 2.5f, 0, 2.1f}});
+  test.wall(true, 2, 4, 8, 0, 3, {}, 0.1f);  // meets the doorway in its middle
+  TwoRooms rooms(test);
+  rooms.proposal.cell_names.push_back("right too");
+  rooms.proposal.cell_storeys.push_back(0);
+  rooms.own(3, {{4.1f, 0, 2.1f}, {8, 3, 4}});
+  rooms.addDoor();
+  const CutCells cut = cutCells(rooms.voxels, rooms.proposal);
+  ASSERT_EQ(cut.graph.portals.size(), 2u);
+  EXPECT_EQ(cut.graph.portals[0].name, "door");
+  EXPECT_EQ(cut.graph.portals[1].name, "door#2");
+  EXPECT_EQ(cut.graph.portals[0].polygon, cut.graph.portals[1].polygon);
 }
 
 TEST(CutCells, SpaceThatNoOneProposedBehindAPortalIsACell) {

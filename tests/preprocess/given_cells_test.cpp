@@ -138,6 +138,7 @@ TEST_F(GivenCells, SayWhichPortalJoinsOthersThanGiven) {
 TEST_F(GivenCells, AreNotCutTwiceByAPortalThatStandsTwice) {
   given_.graph.portals.push_back(given_.graph.portals[0]);
   given_.graph.portals.back().back = 0;
+  given_.graph.portals.back().name += "#2";
   const CutCells cells = cut();
   EXPECT_EQ(cells.graph.portals.size(), 2u);
   EXPECT_TRUE(cells.log.empty()) << cells.log.front();
