@@ -14,6 +14,7 @@ namespace {
 constexpr float kSlide = 0.7f;       // [m] either way, in search of the smallest section
 constexpr float kMostMoved = 0.35f;  // [m] from where the voxels met
 constexpr float kAround = 0.4f;      // [m] about an interface, where its opening's edges are sought
+constexpr float kFarAround = 1.6f;   // [m] likewise, where only a part of the opening has met
 constexpr float kPlateau = 1.12f;    // times the smallest section: still inside the wall
 constexpr float kRagged = 2.0f;      // [pixels] about its outline: likewise
 constexpr float kLevel = 0.75f;      // |normal.y| of horizontal portals
@@ -56,8 +57,8 @@ std::vector<glm::mat3> framesFor(const WallFaces& walls, const Interface& interf
   return frames;
 }
 
-SectionWindow windowFor(const VoxelGrid& voxels, const Interface& interface,
-                        const glm::mat3& axes) {
+SectionWindow windowFor(const VoxelGrid& voxels, const Interface& interface, const glm::mat3& axes,
+                        float around) {
   SectionWindow window;
   window.center = interface.centroid;
   window.axes = axes;
@@ -67,10 +68,10 @@ SectionWindow windowFor(const VoxelGrid& voxels, const Interface& interface,
     lo = glm::min(lo, p);
     hi = glm::max(hi, p);
   }
-  window.lo = lo - kAround;
+  window.lo = lo - around;
   window.footed = std::abs(axes[2].y) < 0.5f && std::isfinite(interface.foot);
   if (window.footed) window.lo.y = interface.foot - interface.centroid.y;
-  const glm::vec2 size = hi + kAround - window.lo;
+  const glm::vec2 size = hi + around - window.lo;
   window.pixel = std::max(0.5f * voxels.voxel, std::max(size.x, size.y) / float(kMostPixels));
   window.size_u = static_cast<int>(std::ceil(size.x / window.pixel));
   window.size_v = static_cast<int>(std::ceil(size.y / window.pixel));
@@ -236,18 +237,20 @@ std::vector<glm::vec3> FittedPortal::polygon() const {
 FittedPortal fitPortal(const VoxelGrid& voxels, const WallFaces& walls,
                        const Interface& interface) {
   const auto frames = framesFor(walls, interface);
-  std::optional<FittedPortal> best;
-  float smallest = 0;
-  for (const glm::mat3& axes : frames) {
-    const SectionWindow window = windowFor(voxels, interface, axes);
-    const auto plateau = findPlateau(voxels, window, interface);
-    if (!plateau) continue;
-    const auto portal = fitInFrame(voxels, walls, interface, window, *plateau);
-    const float area = float(plateau->count) * window.pixel * window.pixel;
-    if (portal && (!best || area < 0.9f * smallest)) best = portal, smallest = area;
+  for (const float around : {kAround, kFarAround}) {
+    std::optional<FittedPortal> best;
+    float smallest = 0;
+    for (const glm::mat3& axes : frames) {
+      const SectionWindow window = windowFor(voxels, interface, axes, around);
+      const auto plateau = findPlateau(voxels, window, interface);
+      if (!plateau) continue;
+      const auto portal = fitInFrame(voxels, walls, interface, window, *plateau);
+      const float area = float(plateau->count) * window.pixel * window.pixel;
+      if (portal && (!best || area < 0.9f * smallest)) best = portal, smallest = area;
+    }
+    if (best) return *best;
   }
-  if (best) return *best;
-  return rawPortal(voxels, windowFor(voxels, interface, frames.front()));
+  return rawPortal(voxels, windowFor(voxels, interface, frames.front(), kAround));
 }
 
 }  // namespace enfilade
