@@ -111,21 +111,43 @@ void seedSky(const VoxelGrid& voxels, int lowest, RoomSeeds& seeds) {
   }
 }
 
-/// What --smallest-room would have to be for more rooms; the largest few of each storey.
+std::string whatMakesARoom(const SmallRoom& room, const CellParameters& parameters) {
+  std::string options;
+  if (room.area < parameters.smallest_room) {
+    options += fmt::format(" --smallest-room {:.1f}", std::floor(room.area * 10) / 10);
+  }
+  if (room.width < parameters.smallest_door) {
+    options += fmt::format(" --smallest-door {:.1f}", std::floor(room.width * 10) / 10);
+  }
+  return options;
+}
+
+/// What the parameters would have to be for more rooms; the largest few of each storey.
 void tellSmallRooms(const VoxelGrid& voxels, const CellParameters& parameters, std::size_t storey,
                     const StoreyPlan& plan, RoomSeeds& seeds) {
   constexpr std::size_t kMost = 3;
-  const std::vector<SmallRoom> rooms = smallRooms(voxels, parameters, plan);
+  const std::vector<SmallRoom> rooms = smallRooms(voxels, plan);
   for (std::size_t i = 0; i < std::min(kMost, rooms.size()); ++i) {
-    seeds.log.push_back(
-        fmt::format("storey {}: {:.1f} m² at ({:.1f}, {:.1f}) are no room; --smallest-room {:.1f} "
-                    "makes them one",
-                    storey + 1, rooms[i].area, rooms[i].at.x, rooms[i].at.y,
-                    std::floor(rooms[i].area * 10) / 10));
+    seeds.log.push_back(fmt::format(
+        "storey {}: {:.1f} m² at ({:.1f}, {:.1f}) are no room;{} makes them one", storey + 1,
+        rooms[i].area, rooms[i].at.x, rooms[i].at.y, whatMakesARoom(rooms[i], parameters)));
   }
   if (rooms.size() > kMost) {
     seeds.log.push_back(
         fmt::format("storey {}: {} more are smaller still", storey + 1, rooms.size() - kMost));
+  }
+}
+
+/// What --merge-ratio would have to be for a room to be two; the few nearest to it.
+void tellWideNecks(const VoxelGrid& voxels, const CellParameters& parameters, std::size_t storey,
+                   const StoreyPlan& plan, RoomSeeds& seeds) {
+  constexpr std::size_t kMost = 3;
+  const std::vector<WideNeck> necks = wideNecks(voxels, parameters, plan);
+  for (std::size_t i = 0; i < std::min(kMost, necks.size()); ++i) {
+    seeds.log.push_back(fmt::format(
+        "storey {}: a room narrows to {:.1f} m at ({:.1f}, {:.1f}) and stays one; "
+        "--merge-ratio {:.2f} parts it there",
+        storey + 1, necks[i].width, necks[i].at.x, necks[i].at.y, necks[i].least_ratio));
   }
 }
 
@@ -150,7 +172,7 @@ RoomSeeds seedRooms(const VoxelGrid& voxels, const std::vector<StoreyBand>& stor
   Rooms rooms;
   for (const StoreyBand& band : storeys)
     rooms.plans.push_back(planStorey(voxels, band, parameters));
-  const bool roofless = isRoofless(rooms.plans);
+  const bool roofless = isRoofless(voxels, rooms.plans);
   if (roofless) seeds.log.push_back("no roof: rooms end at the top of their walls");
   for (std::size_t s = 0; s < storeys.size(); ++s) {
     const int porches = classifyBasins(voxels, parameters, roofless, rooms.plans[s]);
@@ -159,6 +181,7 @@ RoomSeeds seedRooms(const VoxelGrid& voxels, const std::vector<StoreyBand>& stor
                           " porches belong to the exterior");
     }
     tellSmallRooms(voxels, parameters, s, rooms.plans[s], seeds);
+    tellWideNecks(voxels, parameters, s, rooms.plans[s], seeds);
     labelStorey(voxels.voxel, s, rooms, seeds);
     seedStorey(voxels, rooms, s, seeds);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace enfilade {
 
@@ -10,8 +11,12 @@ namespace {
 constexpr float kSkyShare = 0.5f;     // more of a basin open to the sky: exterior
 constexpr float kPorchShare = 0.3f;   // more of its outline open to the exterior: a porch
 constexpr float kWalledShare = 0.7f;  // of its outline: enclosed, though there be no roof
-constexpr float kNiche = 0.45f;       // [m²] smaller basins are not worth a word
-constexpr float kRoofless = 3.0f;     // times more enclosed plan without a roof than with one
+constexpr float kIsland = 2.0f;      // [m] what stands free is no wall if it is no longer than this
+constexpr float kNiche = 0.45f;      // [m²] smaller basins are not worth a word
+constexpr float kClearNeck = 0.85f;  // of the narrower part's width: wider ones are no necks
+constexpr float kHollow = 0.3f;      // [m] nor narrower ones
+constexpr float kGarden = 50.0f;  // [m²] what is larger counts as this much: a garden has walls too
+constexpr float kRoofless = 3.0f;  // times more enclosed plan without a roof than with one
 
 constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
@@ -51,6 +56,7 @@ void measureBasins(StoreyPlan& plan) {
   forEachEdge(plan, [&](std::size_t basin, std::size_t, std::size_t there) {
     ++plan.uses[basin].border;
     if (slice.kind[there] != ColumnKind::kFree) ++plan.uses[basin].walled;
+    if (slice.kind[there] != ColumnKind::kWall) ++plan.uses[basin].openings;
   });
 }
 
@@ -123,6 +129,37 @@ int openPorches(StoreyPlan& plan) {
   return porches;
 }
 
+/// Makes `inside` of what stands free and is no larger than furniture, columns or sculpture: it
+/// narrows no room.
+void clearIslands(const StoreySlice& slice, int most_pixels, std::vector<std::uint8_t>& inside) {
+  std::vector<std::uint8_t> seen = inside;
+  std::vector<glm::ivec2> island;
+  for (int x = 0; x < slice.size_x; ++x) {
+    for (int z = 0; z < slice.size_z; ++z) {
+      if (seen[slice.index(x, z)]) continue;
+      seen[slice.index(x, z)] = 1;
+      island.assign(1, {x, z});
+      glm::ivec2 low(x, z), high(x, z);
+      for (std::size_t next = 0; next < island.size(); ++next) {
+        const glm::ivec2 p = island[next];
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+        for (int n = 0; n < 9; ++n) {
+          const glm::ivec2 q = p + glm::ivec2(n / 3 - 1, n % 3 - 1);
+          if (q.x < 0 || q.y < 0 || q.x >= slice.size_x || q.y >= slice.size_z) continue;
+          const std::size_t there = slice.index(q.x, q.y);
+          if (seen[there]) continue;
+          seen[there] = 1;
+          island.push_back(q);
+        }
+      }
+      const glm::ivec2 size = high - low + 1;
+      if (std::max(size.x, size.y) > most_pixels) continue;
+      for (const glm::ivec2& p : island) inside[slice.index(p.x, p.y)] = 1;
+    }
+  }
+}
+
 }  // namespace
 
 StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
@@ -132,6 +169,7 @@ StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
   for (std::size_t i = 0; i < inside.size(); ++i) {
     inside[i] = plan.slice.kind[i] == ColumnKind::kFree;
   }
+  clearIslands(plan.slice, int(kIsland / voxels.voxel), inside);
   const int size_x = plan.slice.size_x, size_z = plan.slice.size_z;
   plan.basins =
       watershed(squaredDistance(inside, size_x, size_z), size_x, size_z, parameters.merge_ratio);
@@ -139,19 +177,19 @@ StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
   return plan;
 }
 
-bool isRoofless(const std::vector<StoreyPlan>& plans) {
-  double with = 0, without = 0;
+bool isRoofless(const VoxelGrid& voxels, const std::vector<StoreyPlan>& plans) {
+  const float pixel_area = voxels.voxel * voxels.voxel;
+  float with = 0, without = 0;
   for (const StoreyPlan& plan : plans) {
     for (const PlanBasin& use : plan.uses) {
       if (!enclosed(use)) continue;
-      (underSky(use) ? without : with) += use.area;
+      (underSky(use) ? without : with) += std::min(float(use.area) * pixel_area, kGarden);
     }
   }
-  return without > double(kRoofless) * with;
+  return without > kRoofless * with;
 }
 
-std::vector<SmallRoom> smallRooms(const VoxelGrid& voxels, const CellParameters& parameters,
-                                  const StoreyPlan& plan) {
+std::vector<SmallRoom> smallRooms(const VoxelGrid& voxels, const StoreyPlan& plan) {
   const float pixel_area = voxels.voxel * voxels.voxel;
   std::vector<glm::vec2> sums(plan.uses.size(), glm::vec2(0));
   for (int x = 0; x < plan.slice.size_x; ++x) {
@@ -166,16 +204,41 @@ std::vector<SmallRoom> smallRooms(const VoxelGrid& voxels, const CellParameters&
   for (std::size_t b = 0; b < plan.uses.size(); ++b) {
     const PlanBasin& use = plan.uses[b];
     const float area = float(use.area) * pixel_area;
-    const bool wide = plan.basins.peak[b] * voxels.voxel >= 0.5f * parameters.smallest_door;
-    if (use.use != PlanBasin::Use::kTooSmall || area < kNiche || !wide ||
-        area >= parameters.smallest_room || float(use.walled) < 0.5f * float(use.border)) {
+    const float width = 2 * plan.basins.peak[b] * voxels.voxel;
+    if (use.use != PlanBasin::Use::kTooSmall || area < kNiche || width < kHollow ||
+        use.openings == 0 || float(use.walled) < 0.5f * float(use.border)) {
       continue;
     }
-    rooms.push_back({sums[b] / float(use.area), area});
+    rooms.push_back({sums[b] / float(use.area), area, width});
   }
   std::stable_sort(rooms.begin(), rooms.end(),
                    [](const SmallRoom& a, const SmallRoom& b) { return a.area > b.area; });
   return rooms;
+}
+
+std::vector<WideNeck> wideNecks(const VoxelGrid& voxels, const CellParameters& parameters,
+                                const StoreyPlan& plan) {
+  const float pixel_area = voxels.voxel * voxels.voxel;
+  std::vector<WideNeck> necks;
+  for (const Neck& neck : plan.basins.necks) {
+    const auto pixel = static_cast<std::size_t>(neck.pixel);
+    const std::int32_t basin = plan.basins.of_pixel[pixel];
+    const float area = float(neck.area) * pixel_area;
+    if (plan.uses[std::size_t(basin)].use != PlanBasin::Use::kRoom || neck.ratio > kClearNeck ||
+        area < std::max(parameters.smallest_room, kNiche)) {
+      continue;
+    }
+    const auto size_z = static_cast<std::size_t>(plan.slice.size_z);
+    const glm::vec3 center = voxels.centerOf({int(pixel / size_z), 0, int(pixel % size_z)});
+    necks.push_back({{center.x, center.z},
+                     2 * neck.half_width * voxels.voxel,
+                     area,
+                     std::ceil(neck.ratio * 100 + 0.1f) / 100});
+  }
+  std::stable_sort(necks.begin(), necks.end(), [](const WideNeck& a, const WideNeck& b) {
+    return a.least_ratio < b.least_ratio;
+  });
+  return necks;
 }
 
 int classifyBasins(const VoxelGrid& voxels, const CellParameters& parameters, bool roofless,

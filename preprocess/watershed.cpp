@@ -49,7 +49,9 @@ class LowerEnvelope {
 class BasinForest {
  public:
   explicit BasinForest(const std::vector<std::int32_t>& squared_distance)
-      : parent_(squared_distance.size(), Basins::kNone), peak_(squared_distance) {}
+      : parent_(squared_distance.size(), Basins::kNone),
+        area_(squared_distance.size(), 1),
+        peak_(squared_distance) {}
 
   bool has(std::size_t pixel) const { return parent_[pixel] != Basins::kNone; }
   void add(std::size_t pixel) { parent_[pixel] = static_cast<std::int32_t>(pixel); }
@@ -62,11 +64,16 @@ class BasinForest {
     return p;
   }
   /// The root that was seen first keeps its place: its peak is the greater.
-  void join(std::int32_t root, std::int32_t other) { parent_[std::size_t(other)] = root; }
+  void join(std::int32_t root, std::int32_t other) {
+    parent_[std::size_t(other)] = root;
+    area_[std::size_t(root)] += area_[std::size_t(other)];
+  }
+  int areaOf(std::int32_t root) const { return area_[std::size_t(root)]; }
   std::int32_t squaredPeak(std::int32_t root) const { return peak_[std::size_t(root)]; }
 
  private:
   std::vector<std::int32_t> parent_;
+  std::vector<std::int32_t> area_;  // of roots [pixels]
   std::vector<std::int32_t> peak_;
 };
 
@@ -76,19 +83,30 @@ bool deeper(const BasinForest& forest, std::int32_t a, std::int32_t b) {
   return pa != pb ? pa > pb : a < b;
 }
 
-/// Adds a pixel to the deepest basin beside it, and joins the basins that meet here if the neck is
-/// wide enough.
+/// Adds a pixel to the basin that rises the most steeply from it, and joins the basins that meet
+/// here if the neck is wide enough.
 void flood(BasinForest& forest, const std::vector<std::int32_t>& squared_distance, int size_x,
-           int size_z, std::int32_t pixel, double squared_ratio) {
+           int size_z, std::int32_t pixel, double squared_ratio, std::vector<Neck>& necks) {
   const int x = pixel / size_z, z = pixel % size_z;
+  const double here = std::sqrt(double(squared_distance[std::size_t(pixel)]));
   std::vector<std::int32_t> roots;
+  std::int32_t steepest = Basins::kNone;
+  double steepest_slope = -1;
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dz = -1; dz <= 1; ++dz) {
       const int ox = x + dx, oz = z + dz;
       if (ox < 0 || oz < 0 || ox >= size_x || oz >= size_z || (dx == 0 && dz == 0)) continue;
       const auto other = static_cast<std::size_t>(ox) * static_cast<std::size_t>(size_z) +
                          static_cast<std::size_t>(oz);
-      if (forest.has(other)) roots.push_back(forest.find(other));
+      if (!forest.has(other)) continue;
+      const std::int32_t root = forest.find(other);
+      roots.push_back(root);
+      const double rise = std::sqrt(double(squared_distance[other])) - here;
+      const double slope = dx != 0 && dz != 0 ? rise * std::sqrt(0.5) : rise;
+      if (slope > steepest_slope || (slope == steepest_slope && deeper(forest, root, steepest))) {
+        steepest_slope = slope;
+        steepest = root;
+      }
     }
   }
   forest.add(std::size_t(pixel));
@@ -98,9 +116,13 @@ void flood(BasinForest& forest, const std::vector<std::int32_t>& squared_distanc
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   const double neck = squared_distance[std::size_t(pixel)];
   for (std::size_t i = 1; i < roots.size(); ++i) {
-    if (neck >= squared_ratio * forest.squaredPeak(roots[i])) forest.join(roots[0], roots[i]);
+    const double peak = forest.squaredPeak(roots[i]);
+    if (neck < squared_ratio * peak) continue;
+    necks.push_back(
+        {pixel, float(std::sqrt(neck)), float(std::sqrt(neck / peak)), forest.areaOf(roots[i])});
+    forest.join(roots[0], roots[i]);
   }
-  forest.join(roots[0], pixel);
+  forest.join(forest.find(std::size_t(steepest)), pixel);
 }
 
 }  // namespace
@@ -147,11 +169,11 @@ Basins watershed(const std::vector<std::int32_t>& squared_distance, int size_x, 
     return squared_distance[std::size_t(a)] > squared_distance[std::size_t(b)];
   });
   BasinForest forest(squared_distance);
+  Basins basins;
   const double squared_ratio = double(merge_ratio) * double(merge_ratio);
   for (const std::int32_t pixel : order) {
-    flood(forest, squared_distance, size_x, size_z, pixel, squared_ratio);
+    flood(forest, squared_distance, size_x, size_z, pixel, squared_ratio, basins.necks);
   }
-  Basins basins;
   basins.of_pixel.assign(squared_distance.size(), Basins::kNone);
   std::vector<std::int32_t> number(squared_distance.size(), Basins::kNone);
   for (std::size_t i = 0; i < squared_distance.size(); ++i) {

@@ -11,11 +11,20 @@ namespace enfilade {
 std::vector<std::int32_t> squaredDistance(const std::vector<std::uint8_t>& inside, int size_x,
                                           int size_z);
 
+/// Where two parts of a plan became one.
+struct Neck {
+  std::int32_t pixel = 0;  ///< in its middle
+  float half_width = 0;    ///< [pixels]
+  float ratio = 0;         ///< its width by that of the narrower part
+  int area = 0;            ///< [pixels] of the narrower part, as far as it is wider than the neck
+};
+
 /// Parts of a plan that necks join.
 struct Basins {
   static constexpr std::int32_t kNone = -1;
   std::vector<std::int32_t> of_pixel;  ///< basin, or kNone outside
   std::vector<float> peak;             ///< [pixels] one a basin: the greatest distance in it
+  std::vector<Neck> necks;             ///< that were too wide to part anything
 };
 
 /// Divides the pixels with a distance > 0 into basins: two become one if the neck between them is

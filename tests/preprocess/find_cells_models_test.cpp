@@ -60,7 +60,8 @@ TEST(FindCellsOfSamples, FindsTheGallerysRoomsTurnedToo) {
     const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(0, 1, 0));
     const CellGraph graph = graphOf(turnedBy(gallery, turn));
     EXPECT_EQ(graph.cells.size(), 10u);
-    EXPECT_GE(centersOf(graph, PortalKind::kWindow, glm::mat3(turn)).size(), 28u);
+    EXPECT_GE(graph.portals.size(), 40u);  // of 42
+    EXPECT_LE(graph.portals.size(), 45u);
   }
 }
 

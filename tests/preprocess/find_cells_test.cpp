@@ -428,6 +428,42 @@ TEST(FindCells, AClosetBelowTheSmallestRoomIsToldWithWhatWouldMakeItOne) {
   EXPECT_EQ(with.cut.graph.cells.size(), 3u) << story(with);
 }
 
+TEST(FindCells, ACupboardNarrowerThanADoorIsToldWithWhatWouldMakeItOne) {
+  TestBuilding test;
+  shell(test, 8, 5);
+  test.wall(false, 0.55f, 0.1f, 4.9f, 0, kHeight, {{2.0f, 2.8f, 0, 2.0f}}, 0.1f);
+  CellParameters parameters;
+  const std::string log = story(find(test, parameters));
+  const std::size_t at = log.find("--smallest-door ");
+  ASSERT_NE(at, std::string::npos) << log;
+  EXPECT_EQ(log.find("--smallest-room "), std::string::npos) << log;
+  parameters.smallest_door = std::stof(log.substr(at + 16));
+  EXPECT_LT(parameters.smallest_door, 0.5f);
+  const Found with = find(test, parameters);
+  EXPECT_EQ(with.cut.graph.cells.size(), 3u) << story(with);
+}
+
+TEST(FindCells, ARoomWithANeckIsToldWithTheRatioThatPartsIt) {
+  TestBuilding test;
+  shell(test, 10, 5);
+  test.wall(false, 5.0f, 0.1f, 1.0f, 0, kHeight);  // leaves 3 of 5 metres
+  test.wall(false, 5.0f, 4.0f, 4.9f, 0, kHeight);
+  CellParameters parameters;
+  const Found one = find(test, parameters);
+  EXPECT_EQ(one.cut.graph.cells.size(), 2u) << story(one);
+  const std::string log = story(one);
+  EXPECT_NE(log.find("narrows to 3.0 m at (5.1, 2.5)"), std::string::npos) << log;
+  const std::size_t at = log.find("--merge-ratio ");
+  ASSERT_NE(at, std::string::npos) << log;
+  const float told = std::stof(log.substr(at + 14));
+  parameters.merge_ratio = told;
+  const Found two = find(test, parameters);
+  EXPECT_EQ(two.cut.graph.cells.size(), 3u) << story(two);
+  EXPECT_EQ(story(two).find("--merge-ratio "), std::string::npos);
+  parameters.merge_ratio = told - 0.02f;
+  EXPECT_EQ(find(test, parameters).cut.graph.cells.size(), 2u) << "no lower one does";
+}
+
 TEST(FindCells, AWindowInADoorIsPartOfTheDoor) {
   TestBuilding test;
   twoRooms(test);
