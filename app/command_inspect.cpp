@@ -11,8 +11,8 @@
 #include "app/inspection.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
-#include "scene/gltf_reader.h"
 #include "scene/gltf_writer.h"
+#include "scene/model_reader.h"
 
 namespace enfilade {
 
@@ -74,7 +74,7 @@ void inspectModel(const InspectOptions& options) {
                 "a model has no images yet; preprocess it, then inspect the house with --layers");
   }
   Warnings warnings;
-  const Building building = readGltf(options.input, &warnings);
+  const Building building = readModel(options.input, &warnings);
   printResult(options.json ? modelJson(options.input, building, warnings)
                            : modelText(options.input, building, warnings));
 }
@@ -95,7 +95,8 @@ void addInspectCommand(CLI::App& program, CommandContext& context) {
   CLI::App* command =
       addCommand(program, "inspect", "Say what is in a model or a house, and what looks wrong",
                  "enfilade inspect house --plan plan.svg", context.quiet);
-  command->add_option("MODEL|HOUSE", options->input, "A .glb or .gltf file, or a house folder")
+  command
+      ->add_option("MODEL|HOUSE", options->input, "A .glb, .gltf or .obj file, or a house folder")
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   command

@@ -160,7 +160,8 @@ void addPreprocessCommand(CLI::App& program, CommandContext& context) {
       "Divide a building into cells and portals and bake the portals' images",
       "enfilade preprocess duplex.glb -o duplex --doors 'IfcDoor*' --windows 'IfcWindow*'",
       context.quiet);
-  command->add_option("MODEL", options->model, "The building: a .glb or .gltf file")->required();
+  command->add_option("MODEL", options->model, "The building: a .glb, .gltf or .obj file")
+      ->required();
   command->add_option("-o,--output", options->output, "The house folder to write")
       ->required()
       ->type_name("HOUSE");

@@ -20,7 +20,7 @@
 #include "preprocess/share_geometry.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
-#include "scene/gltf_reader.h"
+#include "scene/model_reader.h"
 
 namespace enfilade {
 
@@ -186,7 +186,7 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
   }
   PreprocessResult result;
   Stages stages(progress, result.stages);
-  Building model = stages.run("read the model", [&] { return readGltf(model_file); });
+  Building model = stages.run("read the model", [&] { return readModel(model_file); });
   HouseFolder output(folder);
   result.house = makeHouse(std::move(model), parameters, given, stages);
   result.house.info.tool_version = ENFILADE_VERSION;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <sodium.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/model_folder.h"
 
 namespace enfilade {
 namespace {
@@ -42,33 +42,9 @@ std::string percentDecoded(const std::string& uri) {
   return decoded;
 }
 
-/// "http://…", "file:…"; a mere colon may stand in a file's name.
-bool isAddress(const std::string& uri) {
-  return uri.find("://") != std::string::npos || uri.starts_with("file:");
-}
-
 /// The path of what `uri` names, proved to lie inside the folder of `model_file`.
 fs::path insideFolder(const std::string& model_file, const std::string& uri) {
-  const std::string shown = "\"" + oneLine(uri) + "\"";
-  if (isAddress(uri))
-    fail(model_file, shown + " is an address; only files beside the model are read");
-  std::string decoded = percentDecoded(uri);
-  if (decoded.empty() || decoded.find('\0') != std::string::npos) {
-    fail(model_file, shown + " is no file name");
-  }
-  std::error_code error;
-  fs::path parent = fs::path(model_file).parent_path();
-  const fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
-  // Some exporters write the other system's separator.
-  if (!error && !fs::exists(folder / decoded, error)) {
-    std::replace(decoded.begin(), decoded.end(), '\\', '/');
-    error.clear();
-  }
-  const fs::path path = error ? fs::path() : fs::weakly_canonical(folder / decoded, error);
-  if (error) fail(model_file, shown + " cannot be found: " + error.message());
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  if (end != folder.end()) fail(model_file, shown + " lies outside the model's own folder");
-  return path;
+  return fileInModelFolder(model_file, percentDecoded(uri));
 }
 
 /// Decodes "data:[type][;base64],…".

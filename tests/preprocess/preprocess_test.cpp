@@ -1,10 +1,12 @@
 #include "preprocess/preprocess.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -182,6 +184,36 @@ void writeTwoRooms(const std::string& file) {
   test.twoRooms({{1.5f, 2.5f, 0, 2.1f}});
   test.box({6, 0, 1}, {6.5f, 1, 1.5f});
   writeGlb(file, test.building);
+}
+
+std::string objOf(const Building& building) {
+  std::string text;
+  std::size_t first = 1;
+  for (const Object& object : building.objects) {
+    const Mesh& mesh = building.meshOf(object);
+    const auto& positions = building.vertex_arrays[mesh.vertices].positions;
+    text += "o " + building.nodes[object.node].name + "\n";
+    for (const glm::vec3& p : positions) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      text += fmt::format("f {} {} {}\n", first + mesh.indices[i], first + mesh.indices[i + 1],
+                          first + mesh.indices[i + 2]);
+    }
+    first += positions.size();
+  }
+  return text;
+}
+
+TEST_F(Preprocess, TakesAWavefrontObjToo) {
+  TestBuilding test;
+  test.twoRooms({{1.5f, 2.5f, 0, 2.1f}});
+  test.box({3.98f, 0, 1.5f}, {4.02f, 2.1f, 2.5f}, ObjectRole::kDoor);  // a shut leaf
+  test.building.nodes.back().name = "Door_3";
+  std::ofstream(path("rooms.obj")) << objOf(test.building);
+  const House house = preprocessBuilding(path("rooms.obj"), path("house"), withoutImages()).house;
+  EXPECT_EQ(house.graph.cells.size(), 3u);
+  ASSERT_EQ(house.graph.portals.size(), 1u);
+  EXPECT_EQ(house.graph.portals[0].kind, PortalKind::kDoor);
+  EXPECT_EQ(readHouse(path("house")).info.model_name, "rooms.obj");
 }
 
 TEST_F(Preprocess, TheSameBytesForAnyNumberOfThreads) {

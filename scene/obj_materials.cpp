@@ -1,0 +1,95 @@
+#include "scene/obj_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scene/error.h"
+
+namespace enfilade {
+namespace {
+
+float linearFromSrgb(float c) {
+  if (!(c > 0)) return 0;
+  c = std::min(c, 1.0f);
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+/// The pictures read so far, by name.
+class Pictures {
+ public:
+  Pictures(const ObjResources& resources, Building& building, WarningLog& warnings)
+      : resources_(resources), building_(building), warnings_(warnings) {}
+
+  /// Its index in Building::images; kNone if there is none such.
+  std::uint32_t find(const std::string& name) {
+    if (name.empty()) return kNone;
+    const auto [known, is_new] = known_.try_emplace(name, kNone);
+    if (is_new) known->second = read(name);
+    return known->second;
+  }
+
+ private:
+  std::uint32_t read(const std::string& name) {
+    auto bytes = resources_(name);
+    if (!bytes) {
+      warnings_.add("picture left out, it is not there", "\"" + oneLine(name) + "\"");
+      return kNone;
+    }
+    TextureImage picture;
+    picture.name = name;
+    try {
+      picture.image = decodeImage(*bytes, name);
+    } catch (const Error& error) {
+      warnings_.add("picture left out", oneLine(error.what(), 200));
+      return kNone;
+    }
+    picture.mime_type = imageMimeType(*bytes);
+    picture.encoded = std::move(*bytes);
+    building_.images.push_back(std::move(picture));
+    return static_cast<std::uint32_t>(building_.images.size() - 1);
+  }
+
+  const ObjResources& resources_;
+  Building& building_;
+  WarningLog& warnings_;
+  std::map<std::string, std::uint32_t> known_;
+};
+
+Material materialOf(const tinyobj::material_t& source, Pictures& pictures) {
+  Material material;
+  material.name = source.name;
+  material.double_sided = true;
+  material.image = pictures.find(source.diffuse_texname);
+  glm::vec3 color;
+  for (int c = 0; c < 3; ++c) color[c] = linearFromSrgb(source.diffuse[c]);
+  // Exporters often leave Kd black where a picture says it all.
+  if (material.image != kNone && color == glm::vec3(0)) color = glm::vec3(1);
+  const float alpha =
+      std::isfinite(source.dissolve) ? std::clamp(float(source.dissolve), 0.0f, 1.0f) : 1.0f;
+  material.base_color = glm::vec4(color, alpha);
+  if (alpha < 1) {
+    material.alpha_mode = AlphaMode::kBlend;
+  } else if (!source.alpha_texname.empty() && source.alpha_texname == source.diffuse_texname) {
+    material.alpha_mode = AlphaMode::kMask;  // leaves cut out of a picture
+  }
+  if (source.diffuse_texopt.clamp) material.wrap_s = material.wrap_t = Wrap::kClampToEdge;
+  return material;
+}
+
+}  // namespace
+
+void addObjMaterials(const std::vector<tinyobj::material_t>& materials,
+                     const ObjResources& resources, Building& building, WarningLog& warnings) {
+  Pictures pictures(resources, building, warnings);
+  for (const tinyobj::material_t& source : materials) {
+    building.materials.push_back(materialOf(source, pictures));
+  }
+  Material plain;
+  plain.name = "none";
+  plain.base_color = glm::vec4(glm::vec3(linearFromSrgb(0.8f)), 1.0f);
+  plain.double_sided = true;
+  building.materials.push_back(plain);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,266 @@
+#include "scene/obj_reader.h"
+
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <unordered_map>
+
+#include "scene/building_repair.h"
+#include "scene/error.h"
+#include "scene/file_format.h"
+#include "scene/file_io.h"
+#include "scene/model_folder.h"
+#include "scene/obj_materials.h"
+#include "scene/warning_log.h"
+
+namespace enfilade {
+namespace {
+
+/// Reads material libraries by way of the resources.
+class LibraryReader : public tinyobj::MaterialReader {
+ public:
+  LibraryReader(const ObjResources& resources, WarningLog& warnings)
+      : resources_(resources), warnings_(warnings) {}
+
+  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+                  std::map<std::string, int>* by_name, std::string* warn,
+                  std::string* err) override {
+    const auto bytes = resources_(name);
+    if (!bytes) {
+      warnings_.add("material library left out, it is not there", "\"" + oneLine(name) + "\"");
+      return true;
+    }
+    std::istringstream text(std::string(bytes->begin(), bytes->end()));
+    tinyobj::LoadMtl(by_name, materials, &text, warn, err);
+    return true;
+  }
+
+ private:
+  const ObjResources& resources_;
+  WarningLog& warnings_;
+};
+
+/// What tinyobjloader makes of a file.
+struct Source {
+  tinyobj::attrib_t attributes;
+  std::vector<tinyobj::shape_t> shapes;
+  std::vector<tinyobj::material_t> materials;
+
+  bool hasColors() const { return attributes.colors.size() == attributes.vertices.size(); }
+};
+
+/// What tinyobjloader noticed, line by line, but for what is counted here as without area.
+void addNotices(const std::string& text, WarningLog& warnings) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    while (!line.empty() && (line.front() == '.' || line.front() == ' ')) line.erase(0, 1);
+    if (!line.empty() && line != "Degenerated face found") {
+      warnings.add("noticed", oneLine(line, 200));
+    }
+  }
+}
+
+Source load(std::span<const std::uint8_t> bytes, const std::string& file,
+            const ObjResources& resources, WarningLog& warnings) {
+  Source source;
+  LibraryReader libraries(resources, warnings);
+  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  std::string warn, err;
+  const bool read = tinyobj::LoadObj(&source.attributes, &source.shapes, &source.materials, &warn,
+                                     &err, &text, &libraries, true, false);
+  if (!read) throw Error(ErrorKind::kBadInput, file, "is no valid OBJ: " + oneLine(err, 200));
+  addNotices(warn, warnings);
+  return source;
+}
+
+glm::vec3 vectorAt(const std::vector<float>& numbers, int index) {
+  const auto i = 3 * static_cast<std::size_t>(index);
+  return {numbers[i], numbers[i + 1], numbers[i + 2]};
+}
+
+/// The meshes of one shape, one a material, each with vertices of its own.
+class ShapeReader {
+ public:
+  ShapeReader(const Source& source, const tinyobj::shape_t& shape, Building& building,
+              WarningLog& warnings)
+      : source_(source), shape_(shape), building_(building), warnings_(warnings) {}
+
+  void read() {
+    const auto& mesh = shape_.mesh;
+    for (std::size_t face = 0; 3 * face + 2 < mesh.indices.size(); ++face) {
+      const int id = face < mesh.material_ids.size() ? mesh.material_ids[face] : -1;
+      const bool known = id >= 0 && static_cast<std::size_t>(id) < source_.materials.size();
+      addFace(&mesh.indices[3 * face],
+              known ? static_cast<std::uint32_t>(id)
+                    : static_cast<std::uint32_t>(building_.materials.size() - 1));
+    }
+    if (!mesh.indices.empty()) finish();
+    if (!shape_.lines.indices.empty()) warnings_.add("lines left out", quotedName());
+    if (!shape_.points.indices.empty()) warnings_.add("points left out", quotedName());
+  }
+
+ private:
+  using Corner = std::array<int, 3>;  // position, coordinates, normal
+  struct CornerHash {
+    std::size_t operator()(const Corner& c) const {
+      return (static_cast<std::size_t>(c[0]) * 0x9e3779b97f4a7c15u) ^
+             (static_cast<std::size_t>(c[1]) * 0xc2b2ae3d27d4eb4fu) ^
+             static_cast<std::size_t>(c[2]);
+    }
+  };
+  struct Part {
+    VertexArrays vertices;
+    std::vector<std::uint32_t> indices;
+    std::unordered_map<Corner, std::uint32_t, CornerHash> known;  // looked up, never walked through
+  };
+
+  std::string quotedName() const { return "'" + oneLine(shape_.name) + "'"; }
+
+  static bool within(int index, std::size_t numbers, std::size_t each) {
+    return index >= 0 && static_cast<std::size_t>(index) < numbers / each;
+  }
+
+  void addFace(const tinyobj::index_t* corners, std::uint32_t material) {
+    const tinyobj::attrib_t& a = source_.attributes;
+    std::array<glm::vec3, 3> positions;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!within(corners[k].vertex_index, a.vertices.size(), 3)) {
+        warnings_.add("faces with a corner that is not there, left out", quotedName());
+        return;
+      }
+      positions[k] = vectorAt(a.vertices, corners[k].vertex_index);
+      if (!std::isfinite(positions[k].x + positions[k].y + positions[k].z)) {
+        warnings_.add("faces with a corner that is not a finite number, left out", quotedName());
+        return;
+      }
+    }
+    Part& part = parts_[material];
+    const glm::vec3 flat = faceNormal(positions[0], positions[1], positions[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      part.indices.push_back(vertexOf(corners[k], positions[k], flat, part));
+    }
+  }
+
+  std::uint32_t vertexOf(const tinyobj::index_t& corner, const glm::vec3& position,
+                         const glm::vec3& flat, Part& part) {
+    const tinyobj::attrib_t& a = source_.attributes;
+    const bool has_normal = within(corner.normal_index, a.normals.size(), 3);
+    const bool has_texcoord = within(corner.texcoord_index, a.texcoords.size(), 2);
+    const auto next = static_cast<std::uint32_t>(part.vertices.positions.size());
+    if (has_normal) {  // flat corners are shared by nobody
+      const Corner key{corner.vertex_index, has_texcoord ? corner.texcoord_index : -1,
+                       corner.normal_index};
+      const auto [known, is_new] = part.known.try_emplace(key, next);
+      if (!is_new) return known->second;
+    }
+    part.vertices.positions.push_back(position);
+    part.vertices.normals.push_back(has_normal ? vectorAt(a.normals, corner.normal_index) : flat);
+    glm::vec2 texcoord(0);
+    if (has_texcoord) {
+      const auto i = 2 * static_cast<std::size_t>(corner.texcoord_index);
+      texcoord = {a.texcoords[i], 1.0f - a.texcoords[i + 1]};  // its row 0 is the lowest
+      if (!std::isfinite(texcoord.x + texcoord.y)) texcoord = glm::vec2(0);
+    }
+    part.vertices.texcoords.push_back(texcoord);
+    if (source_.hasColors()) {
+      const glm::vec3 color = glm::clamp(vectorAt(a.colors, corner.vertex_index), 0.0f, 1.0f);
+      const glm::vec3 linear = glm::pow(color, glm::vec3(2.2f));
+      part.vertices.colors.push_back(glm::u16vec4(glm::vec4(linear, 1.0f) * 65535.0f + 0.5f));
+    }
+    return next;
+  }
+
+  void finish() {
+    const auto node = static_cast<std::uint32_t>(building_.nodes.size());
+    Node named;
+    named.name = shape_.name;
+    building_.nodes.push_back(std::move(named));
+    for (auto& [material, part] : parts_) {
+      Mesh mesh;
+      mesh.name = shape_.name;
+      mesh.material = material;
+      mesh.vertices = static_cast<std::uint32_t>(building_.vertex_arrays.size());
+      mesh.indices = std::move(part.indices);
+      for (const glm::vec3& p : part.vertices.positions) mesh.bounds.extend(p);
+      if (building_.materials[material].image == kNone) part.vertices.texcoords.clear();
+      building_.vertex_arrays.push_back(std::move(part.vertices));
+      building_.objects.push_back({node, static_cast<std::uint32_t>(building_.meshes.size())});
+      building_.meshes.push_back(std::move(mesh));
+    }
+  }
+
+  const Source& source_;
+  const tinyobj::shape_t& shape_;
+  Building& building_;
+  WarningLog& warnings_;
+  std::map<std::uint32_t, Part> parts_;  // by material
+};
+
+}  // namespace
+
+bool looksLikeObj(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::string_view, 9> kWords{"v", "vn",     "vt", "f",     "o",
+                                                   "g", "mtllib", "s",  "usemtl"};
+  std::istringstream text(std::string(
+      bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 65536)));
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    const std::size_t end = line.find_first_of(" \t\r", first);
+    const std::string_view word = std::string_view(line).substr(first, end - first);
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+  }
+  return false;
+}
+
+Building parseObj(std::span<const std::uint8_t> text, const std::string& file,
+                  const ObjResources& resources, Warnings* warnings) {
+  if (!looksLikeObj(text)) {
+    throw Error(ErrorKind::kBadInput, file, "is no OBJ: " + guessFormat(text));
+  }
+  WarningLog log;
+  const Source source = load(text, file, resources, log);
+  Building building;
+  building.name = std::filesystem::path(file).stem().string();
+  addObjMaterials(source.materials, resources, building, log);
+  for (const tinyobj::shape_t& shape : source.shapes) {
+    ShapeReader(source, shape, building, log).read();
+  }
+  if (building.objects.empty()) throw Error(ErrorKind::kBadInput, file, "holds no triangles");
+  if (const std::size_t mended = mendNormals(building); mended > 0) {
+    log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
+  }
+  if (const std::size_t count = countWithoutArea(building); count > 0) {
+    log.add("triangles without area", std::to_string(count));
+  }
+  if (warnings != nullptr) *warnings = log.lines();
+  return building;
+}
+
+Building readObj(const std::string& file, Warnings* warnings) {
+  const auto inside = [&](const std::string& name) -> std::optional<std::vector<std::uint8_t>> {
+    try {
+      const auto path = fileInModelFolder(file, name);
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(path, ignored)) return readFile(path.string());
+    } catch (const Error&) {
+    }
+    return std::nullopt;
+  };
+  const auto beside = [&](const std::string& name) {
+    // Exporters write the way to it on the author's machine.
+    auto bytes = inside(name);
+    const std::size_t folder = name.find_last_of("/\\");
+    return bytes || folder == std::string::npos ? bytes : inside(name.substr(folder + 1));
+  };
+  return parseObj(readFile(file), file, beside, warnings);
+}
+
+}  // namespace enfilade

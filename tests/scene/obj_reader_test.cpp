@@ -1,0 +1,117 @@
+#include "scene/obj_reader.h"
+
+#include <algorithm>
+
+#include "scene/model_reader.h"
+#include "scene_test_tools.h"
+
+namespace enfilade {
+namespace {
+
+const std::string kQuad =
+    "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n";
+
+class ObjReader : public testing::Test {
+ protected:
+  Building read(const std::string& text, const std::string& name = "shed.obj") {
+    return readModel(folder_.file(name, text), &warnings_);
+  }
+  bool warns(const std::string& words) const {
+    return std::any_of(warnings_.begin(), warnings_.end(), [&](const std::string& line) {
+      return line.find(words) != std::string::npos;
+    });
+  }
+
+  TempFolder folder_;
+  Warnings warnings_;
+};
+
+TEST_F(ObjReader, ReadsGroupsAndMaterialsAsObjectsOfNodes) {
+  folder_.file("shed.mtl",
+               "newmtl wood\nKd 0.5 0.25 0\nnewmtl glass\nKd 1 1 1\nd 0.3\nnewmtl unused\n");
+  const Building b = read("# a shed\nmtllib shed.mtl\n" + kQuad +
+                          "o wall\nusemtl wood\nf 1/1/1 2/2/1 3/3/1\nusemtl glass\n"
+                          "f 1/1/1 3/3/1 4/4/1\no floor\nf -4 -3 -2 -1\n");
+  EXPECT_EQ(b.name, "shed");
+  ASSERT_EQ(b.nodes.size(), 2u);
+  EXPECT_EQ(b.nodes[0].name, "wall");
+  EXPECT_EQ(b.nodes[1].name, "floor");
+  ASSERT_EQ(b.objects.size(), 3u);
+  EXPECT_EQ(triangleCount(b), 4u) << "a polygon becomes triangles";
+  EXPECT_EQ(b.materialOf(b.objects[0]).name, "wood");
+  EXPECT_NEAR(b.materialOf(b.objects[0]).base_color.r, 0.2140f, 1e-3f) << "Kd is sRGB";
+  EXPECT_EQ(b.materialOf(b.objects[1]).alpha_mode, AlphaMode::kBlend);
+  EXPECT_NEAR(b.materialOf(b.objects[1]).base_color.a, 0.3f, 1e-6f);
+  EXPECT_TRUE(b.materialOf(b.objects[2]).double_sided);
+  EXPECT_EQ(worldBounds(b).max, glm::vec3(2, 1, 0));
+  EXPECT_TRUE(warnings_.empty()) << warnings_[0];
+}
+
+TEST_F(ObjReader, SharesCornersThatAreTheSameAndMakesMissingNormalsFlat) {
+  const Building smooth = read(kQuad + "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
+  EXPECT_EQ(smooth.vertex_arrays[0].positions.size(), 4u);
+  const Building flat = read(kQuad + "f 1 2 3 4\n");
+  ASSERT_EQ(flat.vertex_arrays[0].normals.size(), flat.vertex_arrays[0].positions.size());
+  for (const glm::vec3& n : flat.vertex_arrays[0].normals) EXPECT_EQ(n, glm::vec3(0, 0, 1));
+}
+
+TEST_F(ObjReader, PicturesStandUpright) {
+  Image picture;
+  picture.width = 1;
+  picture.height = 2;
+  picture.rgba = {255, 0, 0, 255, 0, 0, 255, 255};
+  folder_.file("maps/a b.png", encodePng(picture));
+  folder_.file("m.mtl", "newmtl art\nKd 0 0 0\nmap_Kd maps/a b.png\n");
+  const Building b = read("mtllib m.mtl\n" + kQuad + "usemtl art\nf 1/1/1 2/2/1 3/3/1\n");
+  ASSERT_EQ(b.images.size(), 1u);
+  EXPECT_EQ(b.images[0].image.rgba, picture.rgba);
+  const Material& art = b.materialOf(b.objects[0]);
+  EXPECT_EQ(art.image, 0u);
+  EXPECT_EQ(glm::vec3(art.base_color), glm::vec3(1)) << "black under a picture means the picture";
+  EXPECT_EQ(b.vertex_arrays[0].texcoords[0], glm::vec2(0, 1)) << "row 0 is on top here";
+}
+
+TEST_F(ObjReader, LeavesOutWhatIsNotThereAndSaysSo) {
+  folder_.file("m.mtl", "newmtl art\nmap_Kd gone.png\n");
+  const Building b =
+      read("mtllib m.mtl\nmtllib gone.mtl\n" + kQuad + "usemtl art\nf 1 2 3\nf 1 2 99\nl 1 2\n");
+  EXPECT_EQ(triangleCount(b), 1u);
+  EXPECT_TRUE(warns("gone.png"));
+  EXPECT_TRUE(warns("gone.mtl"));
+  EXPECT_TRUE(warns("corner that is not there"));
+  EXPECT_TRUE(warns("lines left out"));
+}
+
+TEST_F(ObjReader, ReadsNothingOutsideItsFolderButLooksBesideItself) {
+  const std::string text = "mtllib ../m.mtl\nmtllib /home/author/own.mtl\n" + kQuad +
+                           "usemtl outside\nf 1 2 3\nusemtl own\nf 1 2 3\n";
+  folder_.file("m.mtl", "newmtl outside\nKd 1 0 0\n");
+  folder_.file("in/own.mtl", "newmtl own\nKd 0 1 0\nmap_Kd " + (folder_ / "secret.png") + "\n");
+  folder_.file("secret.png", encodePng({1, 1, {1, 2, 3, 255}}));
+  const Building b = read(text, "in/a.obj");
+  EXPECT_TRUE(b.images.empty());
+  ASSERT_EQ(b.objects.size(), 2u);
+  EXPECT_EQ(b.materialOf(b.objects[0]).name, "own");
+  EXPECT_EQ(b.materialOf(b.objects[1]).name, "none");
+  EXPECT_TRUE(warns("../m.mtl"));
+  EXPECT_TRUE(warns("secret.png"));
+}
+
+TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
+  const std::string empty = folder_.file("empty.obj", kQuad + "f 7 8 9\n");
+  expectError([&] { readModel(empty); }, ErrorKind::kBadInput, empty, "holds no triangles");
+  const std::string other = folder_.file("other.obj", "solid cube\nfacet normal 0 0 1\n");
+  expectError([&] { readObj(other); }, ErrorKind::kBadInput, other, "seems to be an STL file");
+  EXPECT_FALSE(looksLikeObj({}));
+}
+
+TEST_F(ObjReader, PassesOverCornersThatAreNoNumbers) {
+  const Building b = read("v 1e999 0 0\nv 1 -1e999 1\n" + kQuad + "f 1 2 3\nf 3 4 5\n");
+  EXPECT_EQ(triangleCount(b), 1u);
+  const Box box = worldBounds(b);
+  EXPECT_TRUE(std::isfinite(box.min.x) && std::isfinite(box.max.x));
+}
+
+}  // namespace
+}  // namespace enfilade
