@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/help_format.h"
 #include "models/samples.h"
+#include "scene/file_io.h"
 #include "scene/gltf_writer.h"
 
 namespace enfilade {
@@ -16,12 +19,28 @@ namespace {
 struct SampleOptions {
   std::string name;
   std::string output;
+  std::string furniture = kFurnitureFolder;
   std::uint64_t triangles = 0;
 };
 
+/// The credits of what the building is made of, a line each, beside it; nothing if it owes none.
+void writeCredits(const std::string& model_file, const std::string& copyright) {
+  if (copyright.find("; ") == std::string::npos) return;
+  std::string text;
+  for (std::size_t at = 0; at < copyright.size();) {
+    const std::size_t end = std::min(copyright.find("; ", at), copyright.size());
+    text += copyright.substr(at, end - at) + "\n";
+    at = end + 2;
+  }
+  const std::filesystem::path model(model_file);
+  const auto file = model.parent_path() / (model.stem().string() + ".credits.txt");
+  writeFileAtomically(file.string(), text);
+}
+
 void runSample(const SampleOptions& options, bool quiet) {
-  const Building building = raiseSample(options.name, options.triangles);
+  const Building building = raiseSample(options.name, options.triangles, options.furniture);
   writeGlb(options.output, building);
+  writeCredits(options.output, building.copyright);
   printNote(quiet, fmt::format("{}: {} triangles, {} objects", options.output,
                                triangleCount(building), building.objects.size()));
 }
@@ -34,12 +53,20 @@ void addSampleCommand(CLI::App& program, CommandContext& context) {
       addCommand(program, "sample", "Raise a built-in building and write it as GLB",
                  "enfilade sample gallery -o gallery.glb --triangles 500000", context.quiet);
   command
-      ->add_option("NAME", options->name,
-                   fmt::format("Which building: {}", fmt::join(sampleNames(), ", ")))
+      ->add_option(
+          "NAME", options->name,
+          fmt::format("Which building: {}; or a floor plan of yours, a .json as models/README.md "
+                      "describes it",
+                      fmt::join(sampleNames(), ", ")))
       ->required();
   command->add_option("-o,--output", options->output, "The GLB file to write")
       ->required()
       ->type_name("FILE");
+  command
+      ->add_option("--furniture", options->furniture,
+                   "Where Sweet Home 3D's catalogues (.sh3f) are, for plans with furniture")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   command
       ->add_option(
           "--triangles", options->triangles,

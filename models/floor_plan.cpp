@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "models/json_view.h"
@@ -71,8 +72,13 @@ PlanPart parsePart(const JsonView& json) {
 }
 
 PlanPiece parsePiece(const std::string& name, const JsonView& json) {
-  PlanPiece piece{name, {}};
-  if (json.has("parts")) {
+  PlanPiece piece{name, {}, {}, glm::dvec3(0)};
+  if (json.has("furniture")) {
+    json.allowOnly({"furniture", "width", "height", "depth"});
+    piece.furniture = json.textAt("furniture");
+    piece.size = {json.numberAt("width", 0.01, 100, 0), json.numberAt("height", 0.01, 100, 0),
+                  json.numberAt("depth", 0.01, 100, 0)};
+  } else if (json.has("parts")) {
     json.allowOnly({"parts"});
     for (const JsonView& part : json.itemsAt("parts")) piece.parts.push_back(parsePart(part));
     if (piece.parts.empty()) json.at("parts").fail("needs at least one part");
@@ -188,6 +194,11 @@ void parseOutside(const JsonView& json, FloorPlan& plan) {
 }
 
 }  // namespace
+
+bool FloorPlan::hasFurniture() const {
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [](const auto& named) { return !named.second.furniture.empty(); });
+}
 
 FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject) {
   nlohmann::json document;

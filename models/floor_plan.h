@@ -59,7 +59,9 @@ struct PlanPart {
 /// Something that can stand in rooms, many times.
 struct PlanPiece {
   std::string name;
-  std::vector<PlanPart> parts;  ///< at least one
+  std::vector<PlanPart> parts;  ///< at least one, unless it is furniture of a catalogue
+  std::string furniture;        ///< its id in the FurnitureLibrary; empty: none
+  glm::dvec3 size{0};           ///< [m] of furniture: width, height, depth; 0: as in the catalogue
 };
 
 /// A piece in its place.
@@ -107,6 +109,8 @@ struct FloorPlan {
   std::map<std::string, PlanPiece> pieces;
   std::map<std::string, PlanFinish> finishes;
 
+  /// Whether any piece is furniture of a catalogue.
+  bool hasFurniture() const;
   /// Index in `rooms`, or -1.
   int roomIndex(const std::string& room) const;
 };

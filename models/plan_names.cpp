@@ -52,7 +52,8 @@ class NameCheck {
       for (const std::string& name : {f.piece, f.on})
         if (!name.empty() && !plan_.pieces.contains(name))
           fail(place + ": there is no piece \"" + name + "\"");
-      if (!f.on.empty() && !plan_.pieces.at(f.on).parts[0].numbers.contains("height"))
+      if (!f.on.empty() && plan_.pieces.at(f.on).furniture.empty() &&
+          !plan_.pieces.at(f.on).parts[0].numbers.contains("height"))
         fail(place + ": nothing can stand on \"" + f.on + "\", which has no height");
     }
   }

@@ -105,14 +105,15 @@ std::uint32_t raiseOutside(BuildingRaiser& raiser) {
 
 }  // namespace
 
-Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject) {
+Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject,
+                       const FurnitureLibrary* library) {
   const Layout layout = layOut(plan, subject);
   BuildingRaiser raiser(plan, layout);
   raiser.building().name = plan.name;
   raiser.building().copyright = plan.copyright;
   const auto room_nodes = raiseRooms(raiser);
   const std::uint32_t outside = raiseOutside(raiser);
-  raiseFittings(raiser, room_nodes, outside, triangles, subject);
+  raiseFittings(raiser, room_nodes, outside, triangles, library, subject);
   return std::move(raiser.building());
 }
 

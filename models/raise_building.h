@@ -4,6 +4,7 @@
 #include <string>
 
 #include "models/floor_plan.h"
+#include "models/furniture_library.h"
 #include "scene/building.h"
 
 namespace enfilade {
@@ -12,7 +13,9 @@ namespace enfilade {
 /// each a node `ROOM-room` with its walls, floor, ceiling, trim, portals and bounds; then the
 /// node `outside` with facade, roof and ground; then the fittings.  Every room is closed but for
 /// its portals.  Single-sided faces, vertices shared exactly.  Throws Error (kBadInput) as layOut
-/// does; `subject` names the plan.
-Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject);
+/// does; `subject` names the plan, `library`
+/// has the furniture that it names.
+Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject,
+                       const FurnitureLibrary* library = nullptr);
 
 }  // namespace enfilade

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "models/furnished_pieces.h"
 #include "models/shapes.h"
 #include "scene/error.h"
 
@@ -22,13 +23,27 @@ struct ReadyPart {
 /// The pieces that the plan uses, and how finely they are to be raised.
 class PieceStore {
  public:
-  PieceStore(BuildingRaiser& raiser, std::uint64_t fixed, std::uint64_t wanted) : raiser_(raiser) {
+  PieceStore(BuildingRaiser& raiser, FurnishedPieces& furnished, std::uint64_t fixed,
+             std::uint64_t wanted)
+      : raiser_(raiser), furnished_(furnished) {
     for (const PlanFitting& f : raiser.plan().fittings) {
       for (const std::string& name : {f.piece, f.on})
         if (!name.empty()) use(name);
     }
     const std::uint64_t rest = wanted > fixed ? wanted - fixed : 0;
     scale_ = scaleFor(rest);
+  }
+
+  /// Null for a piece that is raised here.
+  const FurnishedPiece* furnished(const std::string& piece) {
+    return raiser_.plan().pieces.at(piece).furniture.empty() ? nullptr : &furnished_.piece(piece);
+  }
+
+  /// Where things stand on a piece [m].
+  double topOf(const std::string& piece) {
+    const FurnishedPiece* furniture = furnished(piece);
+    return furniture != nullptr ? furniture->top
+                                : raiser_.plan().pieces.at(piece).parts[0].numbers.at("height");
   }
 
   const std::vector<ReadyPart>& parts(const std::string& piece) const { return pieces_.at(piece); }
@@ -48,6 +63,10 @@ class PieceStore {
  private:
   void use(const std::string& name) {
     ++places_[name];
+    if (const FurnishedPiece* furniture = furnished(name)) {
+      furniture_triangles_ += furniture->triangles;
+      return;
+    }
     const auto [entry, fresh] = pieces_.try_emplace(name);
     if (!fresh) return;
     for (const PlanPart& part : raiser_.plan().pieces.at(name).parts) {
@@ -57,7 +76,7 @@ class PieceStore {
   }
 
   std::uint64_t countAt(double scale) const {
-    std::uint64_t count = 0;
+    std::uint64_t count = furniture_triangles_;
     for (const auto& [name, parts] : pieces_)
       for (const ReadyPart& part : parts)
         count += places_.at(name) * countTriangles(part.shape, part.triangles * scale);
@@ -79,6 +98,8 @@ class PieceStore {
   }
 
   BuildingRaiser& raiser_;
+  FurnishedPieces& furnished_;
+  std::uint64_t furniture_triangles_ = 0;  ///< in all places
   std::map<std::string, std::vector<ReadyPart>> pieces_;
   std::map<std::string, std::uint64_t> places_;
   double scale_ = 1;
@@ -105,7 +126,7 @@ class FittingSetter {
       addPiece(f.piece, place, parent);
       return;
     }
-    const double top = plan.pieces.at(f.on).parts[0].numbers.at("height");
+    const double top = store_.topOf(f.on);
     addPiece(f.on, turned({f.at.x, base + f.height, f.at.y}, f.turn, 1), parent);
     addPiece(f.piece, turned({f.at.x, base + f.height + top, f.at.y}, f.turn, f.scale), parent);
   }
@@ -140,8 +161,13 @@ class FittingSetter {
 
   void addPiece(const std::string& piece, const glm::dmat4& place, std::uint32_t parent) {
     const int number = ++count_[piece];
-    const auto& parts = store_.parts(piece);
     const std::string name = fmt::format("{}-{}", piece, number);
+    if (const FurnishedPiece* furniture = store_.furnished(piece)) {
+      const std::uint32_t node = raiser_.addNode(name, parent, glm::mat4(place * furniture->place));
+      for (const std::uint32_t mesh : furniture->meshes) raiser_.addObject(node, mesh);
+      return;
+    }
+    const auto& parts = store_.parts(piece);
     const std::uint32_t node = raiser_.addNode(name, parent, glm::mat4(place));
     if (parts.size() == 1 && parts[0].plan->at == glm::dvec3(0) && parts[0].plan->turn == 0) {
       raiser_.addObject(node, store_.meshOf(piece, 0));
@@ -179,13 +205,17 @@ std::uint64_t drawnTriangles(BuildingRaiser& raiser) {
 
 void raiseFittings(BuildingRaiser& raiser, const std::vector<std::uint32_t>& room_nodes,
                    std::uint32_t outside_node, std::uint64_t triangles,
-                   const std::string& subject) {
-  PieceStore store(raiser, drawnTriangles(raiser), triangles);
+                   const FurnitureLibrary* library, const std::string& subject) {
+  FurnishedPieces furnished(raiser.plan(), library, raiser.building(), subject);
+  PieceStore store(raiser, furnished, drawnTriangles(raiser), triangles);
   FittingSetter setter(raiser, store, subject);
   const FloorPlan& plan = raiser.plan();
   for (std::size_t i = 0; i < plan.fittings.size(); ++i) {
     const int room = plan.roomIndex(plan.fittings[i].room);
     setter.set(i, room == kOutside ? outside_node : room_nodes[static_cast<std::size_t>(room)]);
+  }
+  for (const std::string& credit : furnished.credits()) {
+    raiser.building().copyright += "; " + credit;
   }
 }
 

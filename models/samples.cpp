@@ -1,11 +1,13 @@
 #include "models/samples.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "models/embedded_plans.h"
 #include "models/floor_plan.h"
 #include "models/raise_building.h"
 #include "scene/error.h"
+#include "scene/file_io.h"
 
 namespace enfilade {
 namespace {
@@ -18,6 +20,20 @@ std::string knownNames() {
   return names;
 }
 
+std::string textOfFile(const std::string& file) {
+  const std::vector<std::uint8_t> bytes = readFile(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string builtInPlan(const std::string& name) {
+  const auto plans = embeddedPlans();
+  const auto found = std::find_if(plans.begin(), plans.end(),
+                                  [&](const EmbeddedPlan& p) { return p.name == name; });
+  if (found == plans.end())
+    throw Error(ErrorKind::kUsage, name, "no sample is called that; there are: " + knownNames());
+  return found->text;
+}
+
 }  // namespace
 
 std::vector<std::string> sampleNames() {
@@ -27,17 +43,17 @@ std::vector<std::string> sampleNames() {
   return names;
 }
 
-Building raiseSample(const std::string& name, std::uint64_t triangles) {
-  const auto plans = embeddedPlans();
-  const auto found = std::find_if(plans.begin(), plans.end(),
-                                  [&](const EmbeddedPlan& p) { return p.name == name; });
-  if (found == plans.end())
-    throw Error(ErrorKind::kUsage, name, "no sample is called that; there are: " + knownNames());
+Building raiseSample(const std::string& name, std::uint64_t triangles,
+                     const std::string& furniture_folder) {
   if (triangles != 0 && (triangles < kLeast || triangles > kMost))
     throw Error(ErrorKind::kUsage, name, "triangles must be from 50000 to 10000000");
-  const std::string subject = "plans/" + name + ".json";
-  const FloorPlan plan = parseFloorPlan(found->text, subject);
-  return raiseBuilding(plan, triangles == 0 ? plan.triangles : triangles, subject);
+  const bool is_file = name.ends_with(".json");
+  const std::string subject = is_file ? name : "plans/" + name + ".json";
+  const FloorPlan plan = parseFloorPlan(is_file ? textOfFile(name) : builtInPlan(name), subject);
+  std::optional<FurnitureLibrary> library;
+  if (plan.hasFurniture()) library.emplace(furniture_folder);
+  return raiseBuilding(plan, triangles == 0 ? plan.triangles : triangles, subject,
+                       library ? &*library : nullptr);
 }
 
 }  // namespace enfilade

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "models/java_properties.h"
+#include "models/raise_building.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -113,6 +114,68 @@ TEST_F(Furniture, WhatIsWrongIsSaid) {
   write(
       {{"PluginFurnitureCatalog.properties", catalogue("width#1=wide\n")}, {"a/chair.obj", box()}});
   EXPECT_NE(complaint().find("width#1 is not 1 numbers"), std::string::npos) << complaint();
+}
+
+/// A room of 4 x 3 m with two chairs, the second half as high and with a jar on it.
+std::string planWithChairs(const std::string& id) {
+  return R"({
+    "enfilade": "plan", "version": 1, "name": "office", "triangles": 2000,
+    "outside": {"ground": 0, "margin": 2, "facade": "w", "roof": "w", "floor": "w", "trim": "w"},
+    "storeys": [{"floor": 0, "height": 3,
+      "defaults": {"height": 2.6, "ceiling": "w", "trim": "w"},
+      "walls": [{"from": [0, 0], "to": [4, 0]}, {"from": [4, 0], "to": [4, 3]},
+                {"from": [4, 3], "to": [0, 3]}, {"from": [0, 3], "to": [0, 0]}],
+      "rooms": [{"name": "office", "at": [2, 2], "floor": "w", "walls": "w"}],
+      "fittings": [{"piece": "chair", "room": "office", "at": [1, 1], "turn": 90},
+                   {"piece": "jar", "on": "low", "room": "office", "at": [3, 2]}]}],
+    "pieces": {"chair": {"furniture": ")" +
+         id + R"("}, "low": {"furniture": ")" + id + R"(", "height": 0.45},
+               "jar": {"shape": "vase", "finish": "w", "height": 0.3}},
+    "finishes": {"w": {"colors": ["#ffffff"]}}})";
+}
+
+/// Of what stands in nodes of that name.
+Box boundsOf(const Building& building, const std::string& node) {
+  Box bounds;
+  for (const Object& object : building.objects) {
+    if (building.nodes[object.node].name != node) continue;
+    const Box box = worldBounds(building, object);
+    bounds.extend(box.min);
+    bounds.extend(box.max);
+  }
+  return bounds;
+}
+
+TEST_F(Furniture, StandsInRoomsAsThePlanSaysAndThanksItsMakers) {
+  write({{"PluginFurnitureCatalog.properties", catalogue()},
+         {"a/chair.obj", box()},
+         {"a/chair.mtl", "newmtl oak\nKd 0.5 0.5 0.5\n"}});
+  const FurnitureLibrary library(folder_.string());
+  const FloorPlan plan = parseFloorPlan(planWithChairs("Test#chair"), "office.json");
+  ASSERT_TRUE(plan.hasFurniture());
+  const Building building = raiseBuilding(plan, 2000, "office.json", &library);
+  const Box chair = boundsOf(building, "chair-1");
+  EXPECT_NEAR(chair.size().x, 0.4f, 1e-4f) << "turned by 90 degrees";
+  EXPECT_NEAR(chair.size().z, 0.5f, 1e-4f);
+  EXPECT_NEAR(chair.min.y, 0.0f, 1e-4f);
+  EXPECT_NEAR(chair.center().x, 1.0f, 1e-4f);
+  EXPECT_NEAR(boundsOf(building, "low-1").max.y, 0.45f, 1e-4f);
+  EXPECT_NEAR(boundsOf(building, "jar-1").min.y, 0.2275f, 1e-3f) << "half of 45.5 cm";
+  EXPECT_NE(building.copyright.find("; Chair by Ann (CC0)"), std::string::npos);
+  EXPECT_NEAR(static_cast<double>(triangleCount(building)), 2000, 40);
+}
+
+TEST_F(Furniture, ThatNoCatalogueHasIsNamed) {
+  write({{"PluginFurnitureCatalog.properties", catalogue()}, {"a/chair.obj", box()}});
+  const FurnitureLibrary library(folder_.string());
+  const FloorPlan plan = parseFloorPlan(planWithChairs("Test#throne"), "office.json");
+  try {
+    raiseBuilding(plan, 2000, "office.json", &library);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "office.json: pieces.chair.furniture: no catalogue has \"Test#throne\"");
+  }
 }
 
 TEST(FurnitureOfDebian, HasPiecesThatStandInTheirSize) {
