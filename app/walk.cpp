@@ -30,7 +30,10 @@ void moveDoors(const std::string& names, bool open, const std::vector<std::uint8
   bool moved = false;
   for (const PortalId id : meant) {
     if (!closable[id]) continue;
-    graph.portals[id].active = open;
+    // A door that leads to several cells is a portal for each pair of them.
+    for (Portal& portal : graph.portals) {
+      if (portal.polygon == graph.portals[id].polygon) portal.active = open;
+    }
     moved = true;
   }
   if (!moved) {
@@ -44,13 +47,13 @@ Walk::Walk(const CameraPath& path, const Camera& camera, const House& house,
   const std::vector<std::uint8_t> closable = closablePortals(house);
   CellGraph graph = house.graph;
   doors_.push_back({0, activeOf(graph)});
+  auto first = path.poses.begin();
   for (std::size_t e = 0; e < path.doors.size(); ++e) {
     const DoorEvent& event = path.doors[e];
     moveDoors(event.portal, event.open, closable, ErrorKind::kBadInput,
               fmt::format("{}: doors[{}]", file, e), graph);
-    const auto first =
-        std::find_if(path.poses.begin(), path.poses.end(),
-                     [&](const TimedPose& timed) { return timed.time >= event.time; });
+    first = std::find_if(first, path.poses.end(),
+                         [&](const TimedPose& timed) { return timed.time >= event.time; });
     const auto frame = static_cast<std::size_t>(first - path.poses.begin());
     if (doors_.back().frame < frame) doors_.push_back({frame, {}});
     doors_.back().open = activeOf(graph);

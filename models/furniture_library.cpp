@@ -55,6 +55,20 @@ std::string withoutSlash(std::string name) {
   return name;
 }
 
+void requireSound(const FurnitureEntry& entry, const std::string& file) {
+  const auto fail = [&](const char* what) {
+    throw Error(ErrorKind::kBadInput, file, entry.id + " has " + what);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(entry.size[axis] > 0 && entry.size[axis] <= 100)) {
+      fail("a size that is not between 0 and 100 m");
+    }
+  }
+  if (!(std::abs(std::abs(glm::determinant(entry.rotation)) - 1) < 0.1)) {
+    fail("a modelRotation that is no rotation");
+  }
+}
+
 FurnitureEntry entryOf(const Properties& properties) {
   FurnitureEntry entry;
   entry.id = properties.text("id");
@@ -125,6 +139,7 @@ void FurnitureLibrary::addCatalogue(const std::string& file) {
     FurnitureEntry entry = entryOf(Properties(properties, number, file));
     entry.licence = licence == properties.end() ? std::string() : licence->second;
     entry.catalogue = catalogues_.size();
+    requireSound(entry, file);
     entries_.try_emplace(entry.id, entry);
   }
   files_.push_back(file);

@@ -41,7 +41,11 @@ std::vector<std::string> logicalLines(std::span<const std::uint8_t> bytes) {
     line.clear();
   };
   std::string physical;
+  std::uint8_t before = 0;
   for (const std::uint8_t byte : bytes) {
+    const bool same_end = byte == '\n' && before == '\r';
+    before = byte;
+    if (same_end) continue;
     if (byte == '\n' || byte == '\r') {
       end(physical);
       physical.clear();

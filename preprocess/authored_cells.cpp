@@ -12,9 +12,13 @@ namespace {
 // Floors closer than this are one storey [m].
 constexpr float kStoreyStep = 1.5f;
 
+float floorOf(const AuthoredNames::Room& room) {
+  return room.bounds.empty() ? room.position.y : room.bounds.min.y;
+}
+
 void nameStoreys(const AuthoredNames& names, CellProposal& proposal) {
   std::vector<float> floors;
-  for (const auto& room : names.rooms) floors.push_back(room.bounds.min.y);
+  for (const auto& room : names.rooms) floors.push_back(floorOf(room));
   std::sort(floors.begin(), floors.end());
   for (const float floor : floors) {
     if (!proposal.storeys.empty() && floor < proposal.storeys.back().floor_y + kStoreyStep)
@@ -26,7 +30,7 @@ void nameStoreys(const AuthoredNames& names, CellProposal& proposal) {
   for (const auto& room : names.rooms) {
     int storey = 0;
     for (std::size_t s = 0; s < proposal.storeys.size(); ++s) {
-      if (proposal.storeys[s].floor_y <= room.bounds.min.y + 1e-3f) storey = static_cast<int>(s);
+      if (proposal.storeys[s].floor_y <= floorOf(room) + 1e-3f) storey = static_cast<int>(s);
     }
     proposal.cell_names.push_back(room.name);
     proposal.cell_storeys.push_back(storey);

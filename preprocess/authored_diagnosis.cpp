@@ -14,7 +14,7 @@ constexpr float kWithin = 0.95f;  // of it: a room within a room, as it should b
 void comparePortals(const AuthoredNames& names, CutCells& cells) {
   for (const auto& named : names.portals) {
     for (const Portal& portal : cells.graph.portals) {
-      if (portal.name != named.portal.name) continue;
+      if (portal.polygon != named.portal.polygon) continue;
       const std::string& front = cells.graph.cells[portal.front].name;
       const std::string& back = cells.graph.cells[portal.back].name;
       const bool from_there = named.from.empty() || front == named.from || back == named.from;

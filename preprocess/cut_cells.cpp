@@ -203,9 +203,9 @@ void tellMerges(const VoxelGrid& voxels, const CellProposal& proposal, const Att
     if (std::optional<Leak> leak = search.find(merge.leaked, merge.into)) {
       text += fmt::format(", which leads through ({:.1f}, {:.1f}, {:.1f})", leak->place.x,
                           leak->place.y, leak->place.z);
-      leak->room = gone;
-      leak->into = kept;
-      out.leaks.push_back(std::move(*leak));
+      leak->room = proposal.cell_names[merge.leaked];
+      leak->into = proposal.cell_names[merge.into];
+      if (merge.kept == kExterior) out.leaks.push_back(std::move(*leak));
     }
     out.log.push_back(std::move(text));
   }

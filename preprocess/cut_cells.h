@@ -17,7 +17,7 @@ struct CutCells {
   std::vector<CellGrid::Label> labels;  ///< dense, VoxelGrid's index
   CellGrid grid;                        ///< the same labels
   std::vector<std::string> log;  ///< the proposal's, and what was merged, added or dropped here
-  std::vector<Leak> leaks;       ///< by what way those leak that were merged
+  std::vector<Leak> leaks;       ///< by what way those leak that are outdoors for it
 };
 
 /// Makes a proposal true: cuts the free voxels by every portal polygon, takes the connected

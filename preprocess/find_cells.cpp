@@ -172,6 +172,7 @@ CellProposal findFrom(const Building& building, std::span<const ObjectRole> role
     interfaces = meetings();
     fits = fitAll(voxels, walls, interfaces, proposal);
   }
+  dropEmptyStoreys(proposal);
   nameCells(proposal);
   addPortals(voxels, interfaces, fits.portals, proposal);
   namePortals(proposal);

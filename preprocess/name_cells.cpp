@@ -47,6 +47,25 @@ void nameStoreys(const VoxelGrid& voxels, const WallFaces& walls,
   }
 }
 
+void dropEmptyStoreys(CellProposal& proposal) {
+  std::vector<int> number(proposal.storeys.size(), -1);
+  for (std::size_t c = 1; c < proposal.cell_storeys.size(); ++c) {
+    number[std::size_t(proposal.cell_storeys[c])] = 0;
+  }
+  if (std::find(number.begin(), number.end(), 0) == number.end()) number[0] = 0;
+  std::vector<Storey> kept;
+  for (std::size_t s = 0; s < number.size(); ++s) {
+    if (number[s] < 0) continue;
+    number[s] = static_cast<int>(kept.size());
+    kept.push_back(std::move(proposal.storeys[s]));
+    kept.back().name = fmt::format("storey-{}", kept.size());
+  }
+  for (std::size_t c = 1; c < proposal.cell_storeys.size(); ++c) {
+    proposal.cell_storeys[c] = number[std::size_t(proposal.cell_storeys[c])];
+  }
+  proposal.storeys = std::move(kept);
+}
+
 void nameCells(CellProposal& proposal) {
   const std::vector<int>& storeys = proposal.cell_storeys;
   std::vector<int> rooms(proposal.storeys.size(), 0);

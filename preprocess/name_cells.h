@@ -12,6 +12,9 @@ namespace enfilade {
 void nameStoreys(const VoxelGrid& voxels, const WallFaces& walls,
                  const std::vector<StoreyBand>& bands, CellProposal& proposal);
 
+/// Drops storeys that no cell stands on: roofs, and what trees reach over.  At least one stays.
+void dropEmptyStoreys(CellProposal& proposal);
+
 /// Names the cells that have no name yet after their storey, numbered in order.
 void nameCells(CellProposal& proposal);
 

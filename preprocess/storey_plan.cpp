@@ -129,9 +129,36 @@ int openPorches(StoreyPlan& plan) {
   return porches;
 }
 
-/// Makes `inside` of what stands free and is no larger than furniture, columns or sculpture: it
-/// narrows no room.
-void clearIslands(const StoreySlice& slice, int most_pixels, std::vector<std::uint8_t>& inside) {
+/// How many pixels of the box low…high an island in it closes in.
+int enclosedPixels(const std::vector<glm::ivec2>& island, const glm::ivec2& low,
+                   const glm::ivec2& high) {
+  const glm::ivec2 size = high - low + 3;  // a free rim about it
+  std::vector<std::uint8_t> taken(std::size_t(size.x) * std::size_t(size.y), 0);
+  const auto at = [&](const glm::ivec2& p) -> std::uint8_t& {
+    return taken[std::size_t(p.x) * std::size_t(size.y) + std::size_t(p.y)];
+  };
+  for (const glm::ivec2& p : island) at(p - low + 1) = 1;
+  std::vector<glm::ivec2> stack{{0, 0}};
+  at({0, 0}) = 1;
+  int left = size.x * size.y - static_cast<int>(island.size());
+  while (!stack.empty()) {
+    const glm::ivec2 p = stack.back();
+    stack.pop_back();
+    --left;
+    for (const auto& [dx, dz] : kSides) {
+      const glm::ivec2 q = p + glm::ivec2(dx, dz);
+      if (q.x < 0 || q.y < 0 || q.x >= size.x || q.y >= size.y || at(q)) continue;
+      at(q) = 1;
+      stack.push_back(q);
+    }
+  }
+  return left;
+}
+
+/// Makes `inside` of what stands free, is no larger than furniture, columns or sculpture, and holds
+/// no room: it narrows none.
+void clearIslands(const StoreySlice& slice, int most_pixels, int least_room,
+                  std::vector<std::uint8_t>& inside) {
   std::vector<std::uint8_t> seen = inside;
   std::vector<glm::ivec2> island;
   for (int x = 0; x < slice.size_x; ++x) {
@@ -154,7 +181,10 @@ void clearIslands(const StoreySlice& slice, int most_pixels, std::vector<std::ui
         }
       }
       const glm::ivec2 size = high - low + 1;
-      if (std::max(size.x, size.y) > most_pixels) continue;
+      if (std::max(size.x, size.y) > most_pixels ||
+          enclosedPixels(island, low, high) >= least_room) {
+        continue;
+      }
       for (const glm::ivec2& p : island) inside[slice.index(p.x, p.y)] = 1;
     }
   }
@@ -169,7 +199,9 @@ StoreyPlan planStorey(const VoxelGrid& voxels, const StoreyBand& band,
   for (std::size_t i = 0; i < inside.size(); ++i) {
     inside[i] = plan.slice.kind[i] == ColumnKind::kFree;
   }
-  clearIslands(plan.slice, int(kIsland / voxels.voxel), inside);
+  const float pixel_area = voxels.voxel * voxels.voxel;
+  clearIslands(plan.slice, int(kIsland / voxels.voxel),
+               int(std::max(parameters.smallest_room, kNiche) / pixel_area), inside);
   const int size_x = plan.slice.size_x, size_z = plan.slice.size_z;
   plan.basins =
       watershed(squaredDistance(inside, size_x, size_z), size_x, size_z, parameters.merge_ratio);

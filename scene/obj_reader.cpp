@@ -18,31 +18,72 @@
 #include "scene/file_io.h"
 #include "scene/model_folder.h"
 #include "scene/obj_materials.h"
+#include "scene/polygon_triangles.h"
 #include "scene/warning_log.h"
 
 namespace enfilade {
 namespace {
 
-/// Reads material libraries by way of the resources.
+/// An OBJ's text and the material libraries that it names, which tinyobjloader would look for by
+/// rules of its own: one place in the text stands for all.
+struct ObjText {
+  std::string text;
+  std::vector<std::string> libraries;  ///< what follows each mtllib
+};
+
+ObjText takeLibraries(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kWord = "mtllib";
+  ObjText obj{{bytes.begin(), bytes.end()}, {}};
+  if (obj.text.starts_with("\xef\xbb\xbf")) obj.text.replace(0, 3, "   ");
+  for (std::size_t at = 0; at < obj.text.size();) {
+    const std::size_t end = std::min(obj.text.find('\n', at), obj.text.size());
+    const std::size_t first = std::min(obj.text.find_first_not_of(" \t", at), end);
+    const std::size_t name = first + kWord.size();
+    if (obj.text.compare(first, kWord.size(), kWord) == 0 && name < end &&
+        (obj.text[name] == ' ' || obj.text[name] == '\t')) {
+      std::string rest = obj.text.substr(name, end - name);
+      rest.erase(0, rest.find_first_not_of(" \t"));
+      rest.erase(rest.find_last_not_of(" \t\r") + 1);
+      const bool is_first = obj.libraries.empty();
+      obj.libraries.push_back(std::move(rest));
+      for (std::size_t i = is_first ? name : first; i < end; ++i) obj.text[i] = ' ';
+      if (is_first) obj.text[name + 1 < end ? name + 1 : name] = 'x';
+    }
+    at = end + 1;
+  }
+  return obj;
+}
+
+/// Reads all material libraries by way of the resources.
 class LibraryReader : public tinyobj::MaterialReader {
  public:
-  LibraryReader(const ObjResources& resources, WarningLog& warnings)
-      : resources_(resources), warnings_(warnings) {}
+  LibraryReader(const std::vector<std::string>& libraries, const ObjResources& resources,
+                WarningLog& warnings)
+      : libraries_(libraries), resources_(resources), warnings_(warnings) {}
 
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* by_name, std::string* warn,
                   std::string* err) override {
-    const auto bytes = resources_(name);
-    if (!bytes) {
-      warnings_.add("material library left out, it is not there", "\"" + oneLine(name) + "\"");
+    const auto read = [&](const std::string& name) {
+      const auto bytes = resources_(name);
+      if (!bytes) return false;
+      std::istringstream text(std::string(bytes->begin(), bytes->end()));
+      tinyobj::LoadMtl(by_name, materials, &text, warn, err);
       return true;
+    };
+    for (const std::string& line : libraries_) {
+      if (read(line)) continue;  // one file, its name perhaps with blanks
+      std::istringstream names(line);
+      for (std::string name; names >> name;) {
+        if (read(name)) continue;
+        warnings_.add("material library left out, it is not there", "\"" + oneLine(name) + "\"");
+      }
     }
-    std::istringstream text(std::string(bytes->begin(), bytes->end()));
-    tinyobj::LoadMtl(by_name, materials, &text, warn, err);
     return true;
   }
 
  private:
+  const std::vector<std::string>& libraries_;
   const ObjResources& resources_;
   WarningLog& warnings_;
 };
@@ -69,14 +110,24 @@ void addNotices(const std::string& text, WarningLog& warnings) {
 
 Source load(std::span<const std::uint8_t> bytes, const std::string& file,
             const ObjResources& resources, WarningLog& warnings) {
+  const ObjText obj = takeLibraries(bytes);
   Source source;
-  LibraryReader libraries(resources, warnings);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  LibraryReader libraries(obj.libraries, resources, warnings);
+  std::istringstream text(obj.text);
   std::string warn, err;
   const bool read = tinyobj::LoadObj(&source.attributes, &source.shapes, &source.materials, &warn,
-                                     &err, &text, &libraries, true, false);
+                                     &err, &text, &libraries, false, false);
   if (!read) throw Error(ErrorKind::kBadInput, file, "is no valid OBJ: " + oneLine(err, 200));
   addNotices(warn, warnings);
+  for (const tinyobj::shape_t& shape : source.shapes) {
+    // It counts a face's corners in a byte.
+    std::size_t corners = 0;
+    for (const unsigned char count : shape.mesh.num_face_vertices) corners += count;
+    if (corners != shape.mesh.indices.size()) {
+      throw Error(ErrorKind::kBadInput, file,
+                  "has a face of more than 255 corners in '" + oneLine(shape.name) + "'");
+    }
+  }
   return source;
 }
 
@@ -94,14 +145,17 @@ class ShapeReader {
 
   void read() {
     const auto& mesh = shape_.mesh;
-    for (std::size_t face = 0; 3 * face + 2 < mesh.indices.size(); ++face) {
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < mesh.num_face_vertices.size(); ++face) {
       const int id = face < mesh.material_ids.size() ? mesh.material_ids[face] : -1;
       const bool known = id >= 0 && static_cast<std::size_t>(id) < source_.materials.size();
-      addFace(&mesh.indices[3 * face],
+      const std::size_t count = mesh.num_face_vertices[face];
+      addFace({&mesh.indices[first], count},
               known ? static_cast<std::uint32_t>(id)
                     : static_cast<std::uint32_t>(building_.materials.size() - 1));
+      first += count;
     }
-    if (!mesh.indices.empty()) finish();
+    if (!parts_.empty()) finish();
     if (!shape_.lines.indices.empty()) warnings_.add("lines left out", quotedName());
     if (!shape_.points.indices.empty()) warnings_.add("points left out", quotedName());
   }
@@ -127,24 +181,28 @@ class ShapeReader {
     return index >= 0 && static_cast<std::size_t>(index) < numbers / each;
   }
 
-  void addFace(const tinyobj::index_t* corners, std::uint32_t material) {
+  void addFace(std::span<const tinyobj::index_t> corners, std::uint32_t material) {
     const tinyobj::attrib_t& a = source_.attributes;
-    std::array<glm::vec3, 3> positions;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!within(corners[k].vertex_index, a.vertices.size(), 3)) {
+    positions_.clear();
+    for (const tinyobj::index_t& corner : corners) {
+      if (!within(corner.vertex_index, a.vertices.size(), 3)) {
         warnings_.add("faces with a corner that is not there, left out", quotedName());
         return;
       }
-      positions[k] = vectorAt(a.vertices, corners[k].vertex_index);
-      if (!std::isfinite(positions[k].x + positions[k].y + positions[k].z)) {
+      const glm::vec3 p = vectorAt(a.vertices, corner.vertex_index);
+      if (!std::isfinite(p.x + p.y + p.z)) {
         warnings_.add("faces with a corner that is not a finite number, left out", quotedName());
         return;
       }
+      positions_.push_back(p);
     }
-    Part& part = parts_[material];
-    const glm::vec3 flat = faceNormal(positions[0], positions[1], positions[2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      part.indices.push_back(vertexOf(corners[k], positions[k], flat, part));
+    for (const auto& triangle : polygonTriangles(positions_)) {
+      Part& part = parts_[material];
+      const glm::vec3 flat =
+          faceNormal(positions_[triangle[0]], positions_[triangle[1]], positions_[triangle[2]]);
+      for (const std::size_t k : triangle) {
+        part.indices.push_back(vertexOf(corners[k], positions_[k], flat, part));
+      }
     }
   }
 
@@ -201,6 +259,7 @@ class ShapeReader {
   Building& building_;
   WarningLog& warnings_;
   std::map<std::uint32_t, Part> parts_;  // by material
+  std::vector<glm::vec3> positions_;     // of the face at hand
 };
 
 }  // namespace
@@ -211,6 +270,7 @@ bool looksLikeObj(std::span<const std::uint8_t> bytes) {
   std::istringstream text(std::string(
       bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 65536)));
   for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos || line[first] == '#') continue;
     const std::size_t end = line.find_first_of(" \t\r", first);

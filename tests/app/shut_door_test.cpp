@@ -148,6 +148,18 @@ TEST_F(MovingDoor, MovesWhenThePathSaysSoAndStandsThereInEveryPass) {
   EXPECT_EQ(before.rgba, shown(false, Method::kCulling).rgba) << "stepping back";
 }
 
+TEST_F(MovingDoor, MovesInEveryPortalThatItStandsIn) {
+  Portal other = house_.graph.portals[0];
+  other.name += "#2";
+  house_.graph.portals.push_back(other);
+  linkCells(house_.graph);
+  const std::vector<std::uint8_t> closable = closablePortals(house_);
+  moveDoors("0", false, closable, ErrorKind::kUsage, "--shut", house_.graph);
+  EXPECT_FALSE(house_.graph.portals[0].active || house_.graph.portals[1].active);
+  moveDoors(other.name, true, closable, ErrorKind::kUsage, "--open", house_.graph);
+  EXPECT_TRUE(house_.graph.portals[0].active && house_.graph.portals[1].active);
+}
+
 TEST_F(MovingDoor, IsNotFoundWithoutALeafOrByAnotherName) {
   const auto complaintOf = [&](const House& house, const std::string& portal) {
     CameraPath path;

@@ -23,16 +23,17 @@ std::map<std::string, std::string> properties(const std::string& text) {
 TEST(JavaProperties, KnowsCommentsEscapesAndLinesThatGoOn) {
   const auto read = properties(
       "# no=1\n  ! no=2\r\nname#1=Bill 10\\u20ac\n  a b=c\nlong = one, \\\n    two\nlatin=\xe9\n"
-      "twice=1\ntwice=2\nkey\\ with\\=signs:x\\ty\nalone\nend\\\\=\\");
+      "twice=1\ntwice=2\ndos=one \\\r\n  two\r\nkey\\ with\\=signs:x\\ty\nalone\nend\\\\=\\");
   EXPECT_EQ(read.at("name#1"), "Bill 10€");
   EXPECT_EQ(read.at("a"), "b=c");
   EXPECT_EQ(read.at("long"), "one, two");
   EXPECT_EQ(read.at("latin"), "é");
   EXPECT_EQ(read.at("twice"), "2");
+  EXPECT_EQ(read.at("dos"), "one two");
   EXPECT_EQ(read.at("key with=signs"), "x\ty");
   EXPECT_EQ(read.at("alone"), "");
   EXPECT_EQ(read.at("end\\"), "");
-  EXPECT_EQ(read.size(), 8u);
+  EXPECT_EQ(read.size(), 9u);
 }
 
 /// A folder with one catalogue: a chair of 50 x 90 x 40 cm whose OBJ is a box of other units, lying
@@ -114,6 +115,13 @@ TEST_F(Furniture, WhatIsWrongIsSaid) {
   write(
       {{"PluginFurnitureCatalog.properties", catalogue("width#1=wide\n")}, {"a/chair.obj", box()}});
   EXPECT_NE(complaint().find("width#1 is not 1 numbers"), std::string::npos) << complaint();
+  for (const char* wrong : {"width#1=0\n", "depth#1=-50\n", "height#1=1e300\n"}) {
+    write({{"PluginFurnitureCatalog.properties", catalogue(wrong)}, {"a/chair.obj", box()}});
+    EXPECT_NE(complaint().find("Test#chair has a size"), std::string::npos) << complaint();
+  }
+  write({{"PluginFurnitureCatalog.properties", catalogue("modelRotation#1=0 0 0 0 1 0 0 0 1\n")},
+         {"a/chair.obj", box()}});
+  EXPECT_NE(complaint().find("that is no rotation"), std::string::npos) << complaint();
 }
 
 /// A room of 4 x 3 m with two chairs, the second half as high and with a jar on it.

@@ -69,6 +69,16 @@ TEST(ClaimRooms, AnEmptyNodeNamesTheRoomThatItStandsIn) {
   EXPECT_EQ(cellAt(cells, {1, 1, 1}), "hall");
 }
 
+TEST(ClaimRooms, StoreysOfEmptyNodesHaveAFloor) {
+  const TestBuilding test = twoRoomsAndADoor();
+  AuthoredNames names;
+  names.rooms = {emptyNode("hall", {1, 0.5f, 3})};
+  const VoxelGrid voxels = voxelise(test.building, test.roles, 0.1f);
+  const CellProposal named_only = authoredCells(names, voxels);
+  ASSERT_EQ(named_only.storeys.size(), 1u);
+  EXPECT_EQ(named_only.storeys[0].floor_y, 0.5f);
+}
+
 TEST(ClaimRooms, APortalOfTheAuthorStandsWhereHePutIt) {
   AuthoredNames names;
   names.rooms = {room("west", {0, 0, 0}, {4, 3, 4})};

@@ -428,6 +428,29 @@ TEST(FindCells, AClosetBelowTheSmallestRoomIsToldWithWhatWouldMakeItOne) {
   EXPECT_EQ(with.cut.graph.cells.size(), 3u) << story(with);
 }
 
+TEST(FindCells, AFreeStandingCabinIsARoomAndAFreeStandingBlockIsNone) {
+  TestBuilding test;
+  shell(test, 10, 8);
+  test.wall(true, 3.0f, 3.0f, 4.6f, 0, kHeight, {{3.4f, 4.2f, 0, 2.0f}}, 0.1f);
+  test.wall(true, 4.6f, 3.0f, 4.6f, 0, kHeight, {}, 0.1f);
+  test.wall(false, 3.0f, 3.05f, 4.55f, 0, kHeight, {}, 0.1f);
+  test.wall(false, 4.6f, 3.05f, 4.55f, 0, kHeight, {}, 0.1f);
+  test.box({6.5f, 0, 3.0f}, {8.3f, kHeight, 4.8f});
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 3u) << story(found);
+  EXPECT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+}
+
+TEST(FindCells, StoreysWithoutRoomsAreDropped) {
+  TestBuilding test;
+  shell(test, 8, 5);
+  test.slab(-3, -3, 11, 8, 6.0f);  // a canopy over the roof
+  const Found found = find(test);
+  EXPECT_EQ(found.cut.graph.cells.size(), 2u) << story(found);
+  EXPECT_EQ(found.cut.graph.storeys.size(), 1u);
+  EXPECT_NEAR(found.cut.graph.storeys[0].floor_y, 0.0f, 0.02f);
+}
+
 TEST(FindCells, ACupboardNarrowerThanADoorIsToldWithWhatWouldMakeItOne) {
   TestBuilding test;
   shell(test, 8, 5);

@@ -71,6 +71,16 @@ TEST(LeakSearch, PathRunsThroughFreeSpaceFromTheMiddleOfTheRoom) {
   }
 }
 
+TEST(LeakSearch, RoomsThatBecomeOneAreNoLeak) {
+  TestBuilding test;
+  test.twoRooms({{1.0f, 1.6f, 0.5f, 1.1f}});
+  const VoxelGrid voxels = voxelise(test.building, test.roles, 0.1f);
+  const CutCells cells = cutCells(voxels, twoRoomProposal(voxels, "west", "east"));
+  ASSERT_EQ(cells.log.size(), 1u);
+  EXPECT_EQ(cells.log[0].rfind("merged east into west", 0), 0u) << cells.log[0];
+  EXPECT_TRUE(cells.leaks.empty());
+}
+
 TEST(LeakSearch, ThereIsNoneBetweenClosedRooms) {
   TestBuilding test;
   test.twoRooms({});

@@ -98,6 +98,34 @@ TEST_F(ObjReader, ReadsNothingOutsideItsFolderButLooksBesideItself) {
   EXPECT_TRUE(warns("secret.png"));
 }
 
+TEST_F(ObjReader, FindsLibrariesWithBlanksWithBackslashesAndSeveralInALine) {
+  folder_.file("my shed.mtl", "newmtl one\nKd 1 0 0\n");
+  folder_.file("own.mtl", "newmtl two\nKd 1 0 0\n");
+  folder_.file("more.mtl", "newmtl three\nKd 1 0 0\n");
+  const Building b = read("\xef\xbb\xbfmtllib my shed.mtl\nmtllib C:\\work\\own.mtl\r\n"
+                          "mtllib gone.mtl more.mtl\n" +
+                          kQuad + "usemtl one\nf 1 2 3\nusemtl two\nf 1 2 3\nusemtl three\nf 1 2 3\n");
+  ASSERT_EQ(b.objects.size(), 3u);
+  EXPECT_EQ(b.materialOf(b.objects[0]).name, "one");
+  EXPECT_EQ(b.materialOf(b.objects[1]).name, "two");
+  EXPECT_EQ(b.materialOf(b.objects[2]).name, "three");
+  EXPECT_TRUE(warns("gone.mtl"));
+  EXPECT_EQ(warnings_.size(), 1u) << warnings_[0];
+}
+
+TEST_F(ObjReader, KeepsADoorwayInAWallsOutlineOpen) {
+  const Building b = read("v -12 -12 0\nv -10 -12 0\nv -10 -10 0\nv -9 -10 0\nv -9 -12 0\n"
+                          "v -7 -12 0\nv -7 -9 0\nv -12 -9 0\nf 1 2 3 4 5 6 7 8\n");
+  float area = 0;
+  const auto& p = b.vertex_arrays[0].positions;
+  const auto& indices = b.meshes[0].indices;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    area += 0.5f * glm::length(glm::cross(p[indices[i + 1]] - p[indices[i]],
+                                          p[indices[i + 2]] - p[indices[i]]));
+  }
+  EXPECT_FLOAT_EQ(area, 13);
+}
+
 TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
   const std::string empty = folder_.file("empty.obj", kQuad + "f 7 8 9\n");
   expectError([&] { readModel(empty); }, ErrorKind::kBadInput, empty, "holds no triangles");
