@@ -36,7 +36,8 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   const HouseInfo& info = result.house.info;
   const bool said = info.parameters.at("cells") != "automatic";  // by someone who wants an answer
   for (const std::string& line : info.log) {
-    if (said || line.starts_with("LEAK")) printNote(quiet, "note: " + line);
+    const bool hint = line.find("; --") != std::string::npos;  // what an option would have found
+    if ((said && !hint) || line.starts_with("LEAK")) printNote(quiet, "note: " + line);
   }
   printResult(
       fmt::format("{}: {} cells, {} portals, {} storeys, {} triangles, {} portal sides with images "

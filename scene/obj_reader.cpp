@@ -108,26 +108,34 @@ void addNotices(const std::string& text, WarningLog& warnings) {
   }
 }
 
+/// Of any face.
+std::size_t mostCorners(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t most = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 512 || line.find_first_not_of(" \t") != line.find('f')) continue;
+    std::istringstream words(line);
+    std::size_t count = 0;
+    for (std::string word; words >> word;) ++count;
+    most = std::max(most, count - 1);
+  }
+  return most;
+}
+
 Source load(std::span<const std::uint8_t> bytes, const std::string& file,
             const ObjResources& resources, WarningLog& warnings) {
   const ObjText obj = takeLibraries(bytes);
+  // Of faces with more corners it loses count, unless it cuts them up itself, which it does well
+  // for convex ones, as such faces are.
+  const bool triangulate = mostCorners(obj.text) > 255;
   Source source;
   LibraryReader libraries(obj.libraries, resources, warnings);
   std::istringstream text(obj.text);
   std::string warn, err;
   const bool read = tinyobj::LoadObj(&source.attributes, &source.shapes, &source.materials, &warn,
-                                     &err, &text, &libraries, false, false);
+                                     &err, &text, &libraries, triangulate, false);
   if (!read) throw Error(ErrorKind::kBadInput, file, "is no valid OBJ: " + oneLine(err, 200));
   addNotices(warn, warnings);
-  for (const tinyobj::shape_t& shape : source.shapes) {
-    // It counts a face's corners in a byte.
-    std::size_t corners = 0;
-    for (const unsigned char count : shape.mesh.num_face_vertices) corners += count;
-    if (corners != shape.mesh.indices.size()) {
-      throw Error(ErrorKind::kBadInput, file,
-                  "has a face of more than 255 corners in '" + oneLine(shape.name) + "'");
-    }
-  }
   return source;
 }
 

@@ -65,6 +65,24 @@ TEST(FindCellsOfSamples, FindsTheGallerysRoomsTurnedToo) {
   }
 }
 
+TEST(FindCellsOfSamples, FindsAllOfBrooksFurnished) {
+  if (!std::filesystem::exists(kFurnitureFolder)) {
+    GTEST_SKIP() << "sweethome3d-furniture is not installed";
+  }
+  Building brooks = raiseSample("brooks");
+  const AuthoredNames names = takeAuthoredNames(brooks);
+  const CellGraph found = graphOf(brooks);
+  EXPECT_EQ(found.cells.size(), names.rooms.size() + 1);
+  EXPECT_EQ(found.portals.size(), names.portals.size());
+  std::size_t there = 0;
+  for (const auto& named : names.portals) {
+    there += std::any_of(found.portals.begin(), found.portals.end(), [&](const Portal& portal) {
+      return glm::distance(portal.center(), named.portal.center()) < 0.15f;
+    });
+  }
+  EXPECT_EQ(there, names.portals.size());
+}
+
 class FindCellsOfModels : public testing::TestWithParam<Model> {};
 
 TEST_P(FindCellsOfModels, FindsTheDoorsAndWindowsHoweverItIsTurned) {

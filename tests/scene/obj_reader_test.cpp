@@ -1,6 +1,7 @@
 #include "scene/obj_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/model_reader.h"
 #include "scene_test_tools.h"
@@ -102,9 +103,10 @@ TEST_F(ObjReader, FindsLibrariesWithBlanksWithBackslashesAndSeveralInALine) {
   folder_.file("my shed.mtl", "newmtl one\nKd 1 0 0\n");
   folder_.file("own.mtl", "newmtl two\nKd 1 0 0\n");
   folder_.file("more.mtl", "newmtl three\nKd 1 0 0\n");
-  const Building b = read("\xef\xbb\xbfmtllib my shed.mtl\nmtllib C:\\work\\own.mtl\r\n"
-                          "mtllib gone.mtl more.mtl\n" +
-                          kQuad + "usemtl one\nf 1 2 3\nusemtl two\nf 1 2 3\nusemtl three\nf 1 2 3\n");
+  const Building b = read(
+      "\xef\xbb\xbfmtllib my shed.mtl\nmtllib C:\\work\\own.mtl\r\n"
+      "mtllib gone.mtl more.mtl\n" +
+      kQuad + "usemtl one\nf 1 2 3\nusemtl two\nf 1 2 3\nusemtl three\nf 1 2 3\n");
   ASSERT_EQ(b.objects.size(), 3u);
   EXPECT_EQ(b.materialOf(b.objects[0]).name, "one");
   EXPECT_EQ(b.materialOf(b.objects[1]).name, "two");
@@ -114,8 +116,9 @@ TEST_F(ObjReader, FindsLibrariesWithBlanksWithBackslashesAndSeveralInALine) {
 }
 
 TEST_F(ObjReader, KeepsADoorwayInAWallsOutlineOpen) {
-  const Building b = read("v -12 -12 0\nv -10 -12 0\nv -10 -10 0\nv -9 -10 0\nv -9 -12 0\n"
-                          "v -7 -12 0\nv -7 -9 0\nv -12 -9 0\nf 1 2 3 4 5 6 7 8\n");
+  const Building b = read(
+      "v -12 -12 0\nv -10 -12 0\nv -10 -10 0\nv -9 -10 0\nv -9 -12 0\n"
+      "v -7 -12 0\nv -7 -9 0\nv -12 -9 0\nf 1 2 3 4 5 6 7 8\n");
   float area = 0;
   const auto& p = b.vertex_arrays[0].positions;
   const auto& indices = b.meshes[0].indices;
@@ -124,6 +127,18 @@ TEST_F(ObjReader, KeepsADoorwayInAWallsOutlineOpen) {
                                           p[indices[i + 2]] - p[indices[i]]));
   }
   EXPECT_FLOAT_EQ(area, 13);
+}
+
+TEST_F(ObjReader, TakesFacesOfHundredsOfCorners) {
+  std::string text, face = "f";
+  constexpr int kCorners = 400;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / kCorners;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  const Building b = read(text + face + "\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf -3 -2 -1\n");
+  EXPECT_EQ(triangleCount(b), 399u);
 }
 
 TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
