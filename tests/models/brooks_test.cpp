@@ -67,7 +67,8 @@ class FurnishedBrooks : public testing::Test {
 TEST_F(FurnishedBrooks, HasThePapersPolygonsAndThanksTheMakers) {
   std::size_t drawn = 0;
   for (const Object& object : house_.objects) {
-    if (house_.materialOf(object).name != "marker") drawn += house_.meshOf(object).indices.size() / 3;
+    if (house_.materialOf(object).name != "marker")
+      drawn += house_.meshOf(object).indices.size() / 3;
   }
   EXPECT_NEAR(static_cast<double>(drawn), kPolygons, 0.01 * kPolygons);
   EXPECT_NE(house_.copyright.find("; Bed by "), std::string::npos);
@@ -79,7 +80,8 @@ TEST_F(FurnishedBrooks, NothingStandsInItsDoorways) {
   for (const LayoutOpening& opening : layout.openings) {
     const PlanOpening& said = plan.openings[opening.plan];
     if (said.kind == OpeningKind::kWindow) continue;
-    // Half a metre to either side of the wall, for a walker as wide as the doorway but for its edges.
+    // Half a metre to either side of the wall, for a walker as wide as the doorway but for its
+    // edges.
     Box way;
     const bool along_x = std::any_of(plan.walls.begin(), plan.walls.end(), [&](const PlanWall& w) {
       return w.from.y == w.to.y && w.from.y == said.at.y &&
@@ -93,8 +95,8 @@ TEST_F(FurnishedBrooks, NothingStandsInItsDoorways) {
       const std::string& name = house_.nodes[object.node].name;
       if (!isFitting(plan, name)) continue;
       const Box box = worldBounds(house_, object);
-      EXPECT_FALSE(way.overlaps(box)) << name << " stands in the way at " << said.at.x << ", "
-                                      << said.at.y;
+      EXPECT_FALSE(way.overlaps(box))
+          << name << " stands in the way at " << said.at.x << ", " << said.at.y;
     }
   }
 }
