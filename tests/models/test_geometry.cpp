@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "models/embedded_plans.h"
 #include "models/floor_plan.h"
@@ -11,8 +13,11 @@
 namespace enfilade {
 
 Building unpaintedGallery(std::uint64_t triangles) {
-  FloorPlan plan = parseFloorPlan(embeddedPlans()[0].text, "gallery");
-  EXPECT_EQ(plan.name, "gallery");
+  const auto plans = embeddedPlans();
+  const auto gallery = std::find_if(plans.begin(), plans.end(), [](const EmbeddedPlan& plan) {
+    return std::string_view(plan.name) == "gallery";
+  });
+  FloorPlan plan = parseFloorPlan(gallery->text, "gallery");
   for (auto& [name, finish] : plan.finishes) finish.pattern = "plain";
   return raiseBuilding(plan, triangles, "gallery");
 }
