@@ -73,14 +73,12 @@ FurnitureEntry entryOf(const Properties& properties) {
   FurnitureEntry entry;
   entry.id = properties.text("id");
   entry.name = properties.text("name");
-  entry.category = properties.text("category");
   entry.creator = properties.text("creator");
   entry.model = withoutSlash(properties.text("model"));
   entry.size = {properties.metres("width", 1), properties.metres("height", 1),
                 properties.metres("depth", 1)};
   entry.top = properties.metres("dropOnTopElevation", entry.size.y);
   if (!(entry.top > 0)) entry.top = entry.size.y;
-  entry.elevation = properties.metres("elevation", 0);
   if (properties.has("modelRotation")) {
     const std::vector<double> rows = properties.numbers("modelRotation", 9);
     for (int row = 0; row < 3; ++row) {

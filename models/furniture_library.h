@@ -18,11 +18,10 @@ inline constexpr const char* kFurnitureFolder = "/usr/share/sweethome3d/furnitur
 struct FurnitureEntry {
   std::string id;    ///< "Scopia#bed1"
   std::string name;  ///< "Bed"
-  std::string category, creator, licence;
+  std::string creator, licence;
   std::string model;          ///< of its OBJ in the catalogue
   glm::dvec3 size{1};         ///< [m] width, height, depth
   double top = 1;             ///< [m] above its foot: where things stand on it
-  double elevation = 0;       ///< [m] above the floor: where it hangs
   glm::dmat3 rotation{1};     ///< of the OBJ, before it is brought to size
   std::size_t catalogue = 0;  ///< of the library's
 };

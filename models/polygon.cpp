@@ -58,38 +58,4 @@ bool isInsetValid(std::span<const glm::dvec2> polygon, std::span<const glm::dvec
   return true;
 }
 
-namespace {
-
-bool isEar(std::span<const glm::dvec2> polygon, std::span<const std::size_t> rest, std::size_t i) {
-  const std::size_t n = rest.size();
-  const glm::dvec2 a = polygon[rest[(i + n - 1) % n]], b = polygon[rest[i]],
-                   c = polygon[rest[(i + 1) % n]];
-  if (planCross(b - a, c - b) <= 1e-12) return false;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (k == i || k == (i + 1) % n || k == (i + n - 1) % n) continue;
-    const glm::dvec2 p = polygon[rest[k]];
-    if (planCross(b - a, p - a) >= 0 && planCross(c - b, p - b) >= 0 &&
-        planCross(a - c, p - c) >= 0)
-      return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-std::vector<std::array<std::size_t, 3>> triangulate(std::span<const glm::dvec2> polygon) {
-  std::vector<std::size_t> rest(polygon.size());
-  std::iota(rest.begin(), rest.end(), std::size_t{0});
-  std::vector<std::array<std::size_t, 3>> triangles;
-  while (rest.size() >= 3) {
-    std::size_t ear = 0;
-    while (ear < rest.size() && !isEar(polygon, rest, ear)) ++ear;
-    if (ear == rest.size()) break;
-    const std::size_t n = rest.size();
-    triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  return triangles;
-}
-
 }  // namespace enfilade

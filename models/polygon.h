@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
@@ -29,9 +28,5 @@ std::vector<glm::dvec2> inset(std::span<const glm::dvec2> polygon, double distan
 
 /// Whether every edge of `inner` still runs the way of the edge of `polygon` that it comes from.
 bool isInsetValid(std::span<const glm::dvec2> polygon, std::span<const glm::dvec2> inner);
-
-/// Triangles (corner indices, positive area) that fill a simple polygon of positive area.
-/// Source: Meisters, Polygons Have Ears, 1975.
-std::vector<std::array<std::size_t, 3>> triangulate(std::span<const glm::dvec2> polygon);
 
 }  // namespace enfilade

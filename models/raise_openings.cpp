@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "models/polygon.h"
+#include "scene/polygon_triangles.h"
 
 namespace enfilade {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/polygon.h"
+#include "scene/polygon_triangles.h"
 
 namespace enfilade {
 namespace {

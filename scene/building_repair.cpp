@@ -1,5 +1,7 @@
 #include "scene/building_repair.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace enfilade {
@@ -93,6 +95,15 @@ std::size_t mendNormals(Building& building) {
     }
   }
   return without;
+}
+
+void mendNormals(Building& building, WarningLog& warnings) {
+  if (const std::size_t mended = mendNormals(building); mended > 0) {
+    warnings.add("normals without a direction, computed", fmt::format("{} vertices", mended));
+  }
+  if (const std::size_t count = countWithoutArea(building); count > 0) {
+    warnings.add("triangles without area", std::to_string(count));
+  }
 }
 
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "scene/building.h"
+#include "scene/warning_log.h"
 
 namespace enfilade {
 
@@ -20,6 +21,9 @@ std::size_t mendNormals(Building& building);
 
 /// Triangles over all meshes that have no area: they are drawn as nothing, and harm nothing.
 std::size_t countWithoutArea(const Building& building);
+
+/// Mends normals, and warns of those and of triangles without area.
+void mendNormals(Building& building, WarningLog& warnings);
 
 /// The unit vector along (b − a) × (c − a), +Y where the triangle has no area.
 glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);

@@ -1,6 +1,5 @@
 #include "scene/gltf_reader.h"
 
-#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <cmath>
@@ -98,12 +97,7 @@ Building readGltf(const std::string& file, Warnings* warnings) {
   dropUnusedVertexArrays(building);
   mendPositions(building);
   fillMissingTexcoords(building, log);
-  if (const std::size_t mended = mendNormals(building); mended > 0) {
-    log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
-  }
-  if (const std::size_t count = countWithoutArea(building); count > 0) {
-    log.add("triangles without area", std::to_string(count));
-  }
+  mendNormals(building, log);
   if (warnings != nullptr) *warnings = log.lines();
   return building;
 }

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/color_space.hpp>
 #include <map>
 
 #include "scene/error.h"
 
 namespace enfilade {
 namespace {
-
-float linearFromSrgb(float c) {
-  if (!(c > 0)) return 0;
-  c = std::min(c, 1.0f);
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-}
 
 /// The pictures read so far, by name.
 class Pictures {
@@ -61,8 +56,11 @@ Material materialOf(const tinyobj::material_t& source, Pictures& pictures) {
   material.name = source.name;
   material.double_sided = true;
   material.image = pictures.find(source.diffuse_texname);
-  glm::vec3 color;
-  for (int c = 0; c < 3; ++c) color[c] = linearFromSrgb(source.diffuse[c]);
+  glm::vec3 color(0);
+  for (int c = 0; c < 3; ++c) {
+    if (source.diffuse[c] > 0) color[c] = std::min(float(source.diffuse[c]), 1.0f);
+  }
+  color = glm::convertSRGBToLinear(color);
   // Exporters often leave Kd black where a picture says it all.
   if (material.image != kNone && color == glm::vec3(0)) color = glm::vec3(1);
   const float alpha =
@@ -87,7 +85,7 @@ void addObjMaterials(const std::vector<tinyobj::material_t>& materials,
   }
   Material plain;
   plain.name = "none";
-  plain.base_color = glm::vec4(glm::vec3(linearFromSrgb(0.8f)), 1.0f);
+  plain.base_color = glm::vec4(glm::convertSRGBToLinear(glm::vec3(0.8f)), 1.0f);
   plain.double_sided = true;
   building.materials.push_back(plain);
 }

@@ -1,12 +1,12 @@
 #include "scene/obj_reader.h"
 
-#include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <glm/gtc/color_space.hpp>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -237,7 +237,7 @@ class ShapeReader {
     part.vertices.texcoords.push_back(texcoord);
     if (source_.hasColors()) {
       const glm::vec3 color = glm::clamp(vectorAt(a.colors, corner.vertex_index), 0.0f, 1.0f);
-      const glm::vec3 linear = glm::pow(color, glm::vec3(2.2f));
+      const glm::vec3 linear = glm::convertSRGBToLinear(color);
       part.vertices.colors.push_back(glm::u16vec4(glm::vec4(linear, 1.0f) * 65535.0f + 0.5f));
     }
     return next;
@@ -273,8 +273,8 @@ class ShapeReader {
 }  // namespace
 
 bool looksLikeObj(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::string_view, 9> kWords{"v", "vn",     "vt", "f",     "o",
-                                                   "g", "mtllib", "s",  "usemtl"};
+  constexpr std::array<std::string_view, 13> kWords{
+      "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "usemap"};
   std::istringstream text(std::string(
       bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 65536)));
   for (std::string line; std::getline(text, line);) {
@@ -302,12 +302,7 @@ Building parseObj(std::span<const std::uint8_t> text, const std::string& file,
     ShapeReader(source, shape, building, log).read();
   }
   if (building.objects.empty()) throw Error(ErrorKind::kBadInput, file, "holds no triangles");
-  if (const std::size_t mended = mendNormals(building); mended > 0) {
-    log.add("normals without a direction, computed", fmt::format("{} vertices", mended));
-  }
-  if (const std::size_t count = countWithoutArea(building); count > 0) {
-    log.add("triangles without area", std::to_string(count));
-  }
+  mendNormals(building, log);
   if (warnings != nullptr) *warnings = log.lines();
   return building;
 }

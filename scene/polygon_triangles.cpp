@@ -1,12 +1,14 @@
 #include "scene/polygon_triangles.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace enfilade {
 
 namespace {
+
+constexpr double kStraight = 1e-12;  // [m²] a turn of a corner that is none
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -37,71 +39,58 @@ std::vector<glm::dvec2> flattened(std::span<const glm::vec3> corners) {
   return flat;
 }
 
-/// The corners that are left, in their order.
-class Clipper {
- public:
-  explicit Clipper(std::vector<glm::dvec2> polygon) : polygon_(std::move(polygon)) {
-    rest_.resize(polygon_.size());
-    std::iota(rest_.begin(), rest_.end(), std::size_t{0});
-  }
+double turnAt(std::span<const glm::dvec2> polygon, std::span<const std::size_t> rest,
+              std::size_t i) {
+  const std::size_t n = rest.size();
+  const glm::dvec2 &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]],
+                   &c = polygon[rest[(i + 1) % n]];
+  return cross(b - a, c - b);
+}
 
-  std::vector<std::array<std::size_t, 3>> run() {
-    std::vector<std::array<std::size_t, 3>> triangles;
-    while (rest_.size() >= 3) {
-      const std::size_t ear = bestEar();
-      const std::array<std::size_t, 3> corners = around(ear);
-      if (turn(ear) != 0) triangles.push_back(corners);
-      rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    return triangles;
-  }
+bool isEar(std::span<const glm::dvec2> polygon, std::span<const std::size_t> rest, std::size_t i) {
+  if (turnAt(polygon, rest, i) <= kStraight) return false;
+  const std::size_t n = rest.size();
+  const glm::dvec2 &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]],
+                   &c = polygon[rest[(i + 1) % n]];
+  return std::none_of(rest.begin(), rest.end(), [&](std::size_t k) {
+    const glm::dvec2& p = polygon[k];
+    return p != a && p != b && p != c && cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 &&
+           cross(a - c, p - c) >= 0;
+  });
+}
 
- private:
-  std::array<std::size_t, 3> around(std::size_t i) const {
-    const std::size_t n = rest_.size();
-    return {rest_[(i + n - 1) % n], rest_[i], rest_[(i + 1) % n]};
+/// The first ear; without any, the sharpest corner, as long as it is one.
+std::size_t nextEar(std::span<const glm::dvec2> polygon, std::span<const std::size_t> rest) {
+  std::size_t sharpest = rest.size();
+  double most = kStraight;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (isEar(polygon, rest, i)) return i;
+    const double turn = turnAt(polygon, rest, i);
+    if (turn > most) most = turn, sharpest = i;
   }
-  double turn(std::size_t i) const {
-    const auto [a, b, c] = around(i);
-    return cross(polygon_[b] - polygon_[a], polygon_[c] - polygon_[b]);
-  }
-  bool isEar(std::size_t i) const {
-    if (!(turn(i) > 0)) return false;
-    const auto [ia, ib, ic] = around(i);
-    const glm::dvec2 &a = polygon_[ia], &b = polygon_[ib], &c = polygon_[ic];
-    for (const std::size_t k : rest_) {
-      const glm::dvec2& p = polygon_[k];
-      if (p == a || p == b || p == c)
-        continue;  // where a hole's outline is joined to the outer one
-      if (cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0) {
-        return false;
-      }
-    }
-    return true;
-  }
-  /// A corner in a line, else the first ear; without any, the sharpest corner.
-  std::size_t bestEar() const {
-    std::size_t ear = rest_.size(), sharpest = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      const double t = turn(i);
-      if (t == 0) return i;
-      if (ear == rest_.size() && isEar(i)) ear = i;
-      if (t > most) most = t, sharpest = i;
-    }
-    return ear < rest_.size() ? ear : sharpest;
-  }
-
-  std::vector<glm::dvec2> polygon_;
-  std::vector<std::size_t> rest_;
-};
+  return sharpest;
+}
 
 }  // namespace
+
+std::vector<std::array<std::size_t, 3>> triangulate(std::span<const glm::dvec2> polygon) {
+  std::vector<std::size_t> rest(polygon.size());
+  std::iota(rest.begin(), rest.end(), std::size_t{0});
+  std::vector<std::array<std::size_t, 3>> triangles;
+  while (rest.size() >= 3) {
+    const std::size_t ear = nextEar(polygon, rest);
+    if (ear == rest.size()) break;
+    const std::size_t n = rest.size();
+    triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  return triangles;
+}
 
 std::vector<std::array<std::size_t, 3>> polygonTriangles(std::span<const glm::vec3> corners) {
   if (corners.size() < 3) return {};
   if (corners.size() == 3) return {{0, 1, 2}};
-  return Clipper(flattened(corners)).run();
+  return triangulate(flattened(corners));
 }
 
 }  // namespace enfilade

@@ -8,9 +8,13 @@
 
 namespace enfilade {
 
-/// Triangles (indices of corners, in their order) that fill a flat simple polygon, convex or not;
-/// of one that is neither flat nor simple some that cover it about.  n − 2 of n corners, fewer
-/// where they lie in a line. Source: Meisters, Polygons Have Ears, 1975.
+/// Triangles (corner indices, positive area) that fill a simple polygon of positive area; every
+/// corner is one of theirs, those in a line too.  Corners may coincide, where the outline of a hole
+/// is joined to the outer one.  Of a polygon that is not simple some that cover it about.
+/// Source: Meisters, Polygons Have Ears, 1975.
+std::vector<std::array<std::size_t, 3>> triangulate(std::span<const glm::dvec2> polygon);
+
+/// The same of a polygon in space, flat or nearly so, either way round; they face as it does.
 std::vector<std::array<std::size_t, 3>> polygonTriangles(std::span<const glm::vec3> corners);
 
 }  // namespace enfilade

@@ -147,6 +147,8 @@ TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
   const std::string other = folder_.file("other.obj", "solid cube\nfacet normal 0 0 1\n");
   expectError([&] { readObj(other); }, ErrorKind::kBadInput, other, "seems to be an STL file");
   EXPECT_FALSE(looksLikeObj({}));
+  const std::string curves = "# points first\nvp 0.5\n";
+  EXPECT_TRUE(looksLikeObj({reinterpret_cast<const std::uint8_t*>(curves.data()), curves.size()}));
 }
 
 TEST_F(ObjReader, PassesOverCornersThatAreNoNumbers) {
