@@ -10,7 +10,6 @@ namespace enfilade {
 FramePainter::FramePainter(GlContext& context, House& house, const PortalImages& images, int width,
                            int height, int threads, ImageSource source)
     : house_(house),
-      leaves_(doorLeaves(house)),
       objects_(house),
       renderer_(context, house.building),
       baked_(images),
@@ -19,7 +18,7 @@ FramePainter::FramePainter(GlContext& context, House& house, const PortalImages&
       width_(width),
       height_(height),
       threads_(threads) {
-  lookThroughShutPortals(house_, leaves_);
+  lookThroughShutPortals(house_, objects_.leaves());
   if (source == ImageSource::kBaked) return;
   for (const MethodInfo& method : allMethods()) {
     if (method.portal_images)
@@ -30,9 +29,8 @@ FramePainter::FramePainter(GlContext& context, House& house, const PortalImages&
 void FramePainter::buildRays() {
   if (rays_) return;
   std::vector<std::uint8_t> leaves(house_.building.objects.size(), 0);
-  for (const DoorLeaf& leaf : leaves_) leaves[leaf.object] = 1;
-  rays_ =
-      std::make_unique<RayCaster>(house_.building, openDoors(house_, leaves_), threads_, leaves);
+  for (const DoorLeaf& leaf : objects_.leaves()) leaves[leaf.object] = 1;
+  rays_ = std::make_unique<RayCaster>(house_.building, objects_.openDoors(), threads_, leaves);
 }
 
 void FramePainter::setDoors(std::span<const std::uint8_t> open) {
@@ -43,12 +41,12 @@ void FramePainter::setDoors(std::span<const std::uint8_t> open) {
     changed = true;
     portal.active = open[p] != 0;
     if (!portal.active) {
-      portal.seen_within = seenWithinWhenShut(house_, static_cast<PortalId>(p), leaves_);
+      portal.seen_within = seenWithinWhenShut(house_, static_cast<PortalId>(p), objects_.leaves());
     }
   }
   if (!changed) return;
   objects_.setDoors(house_);
-  if (rays_) rays_->setHidden(openDoors(house_, leaves_));
+  if (rays_) rays_->setHidden(objects_.openDoors());
   for (auto& [method, maker] : makers_) maker.forget();
 }
 

@@ -81,7 +81,6 @@ class FramePainter {
   const PortalImages& imagesOf(const MethodInfo& method) const;
 
   House& house_;
-  std::vector<DoorLeaf> leaves_;
   ObjectIndex objects_;
   ObjectList in_view_;  // of the last frame
   Renderer renderer_;

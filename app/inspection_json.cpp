@@ -4,6 +4,7 @@
 
 #include "app/inspection.h"
 #include "app/portal_size.h"
+#include "portals/house_names.h"
 
 namespace enfilade {
 

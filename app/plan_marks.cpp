@@ -6,6 +6,7 @@
 
 #include "app/portal_color.h"
 #include "app/portal_size.h"
+#include "portals/house_names.h"
 
 namespace enfilade {
 

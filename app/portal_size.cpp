@@ -37,16 +37,4 @@ glm::vec2 portalSize(const Portal& portal) {
   return {extentAlong(portal, along), extentAlong(portal, across)};
 }
 
-const char* kindName(PortalKind kind) {
-  switch (kind) {
-    case PortalKind::kOpening:
-      return "opening";
-    case PortalKind::kDoor:
-      return "door";
-    case PortalKind::kWindow:
-      return "window";
-  }
-  return "?";
-}
-
 }  // namespace enfilade

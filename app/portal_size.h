@@ -11,7 +11,4 @@ glm::vec2 portalSize(const Portal& portal);
 /// Whether the portal lies level, more or less: one goes up or down through it.
 bool isLevel(const Portal& portal);
 
-/// "opening", "door" or "window".
-const char* kindName(PortalKind kind);
-
 }  // namespace enfilade

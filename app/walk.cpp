@@ -44,6 +44,7 @@ void moveDoors(const std::string& names, bool open, const std::vector<std::uint8
 Walk::Walk(const CameraPath& path, const Camera& camera, const House& house,
            const std::string& file)
     : path_(path), camera_(camera) {
+  if (path.doors.empty()) return;
   const std::vector<std::uint8_t> closable = closablePortals(house);
   CellGraph graph = house.graph;
   doors_.push_back({0, activeOf(graph)});

@@ -52,13 +52,6 @@ ordered_json cellsJson(const CellGraph& graph) {
   return cells;
 }
 
-std::string_view kindName(PortalKind kind) {
-  for (const auto& [named, name] : kPortalKindNames) {
-    if (named == kind) return name;
-  }
-  return kPortalKindNames[0].second;
-}
-
 ordered_json portalsJson(const CellGraph& graph) {
   ordered_json portals = ordered_json::array();
   for (std::size_t id = 0; id < graph.portals.size(); ++id) {

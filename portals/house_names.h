@@ -15,6 +15,14 @@ inline constexpr std::array<std::pair<PortalKind, std::string_view>, 3> kPortalK
     {PortalKind::kWindow, "window"},
 }};
 
+/// "opening", "door" or "window".
+constexpr std::string_view kindName(PortalKind kind) {
+  for (const auto& [named, name] : kPortalKindNames) {
+    if (named == kind) return name;
+  }
+  return kPortalKindNames[0].second;
+}
+
 /// The roles that house.json lists objects of; all others are fixed.
 inline constexpr std::array<std::pair<ObjectRole, std::string_view>, 2> kListedRoleNames = {{
     {ObjectRole::kDoor, "door"},

@@ -6,21 +6,11 @@
 #include <map>
 #include <set>
 
+#include "portals/house_names.h"
+
 namespace enfilade {
 
 namespace {
-
-const char* nameOf(PortalKind kind) {
-  switch (kind) {
-    case PortalKind::kDoor:
-      return "door";
-    case PortalKind::kWindow:
-      return "window";
-    case PortalKind::kOpening:
-      break;
-  }
-  return "opening";
-}
 
 /// The height of most of a storey's floor [m].
 float floorHeight(const VoxelGrid& voxels, const WallFaces& walls, const StoreyBand& band) {
@@ -87,7 +77,7 @@ void namePortals(CellProposal& proposal) {
   std::map<std::string, int> used;
   for (Portal& portal : proposal.portals) {
     if (!portal.name.empty() || portal.front == kNoCell || portal.back == kNoCell) continue;
-    portal.name = fmt::format("{}-{}-{}", nameOf(portal.kind), proposal.cell_names[portal.front],
+    portal.name = fmt::format("{}-{}-{}", kindName(portal.kind), proposal.cell_names[portal.front],
                               proposal.cell_names[portal.back]);
     std::replace(portal.name.begin(), portal.name.end(), ' ', '-');
     const int number = ++used[portal.name];

@@ -64,7 +64,7 @@ ObjectIndex::ObjectIndex(const House& house)
 }
 
 void ObjectIndex::setDoors(const House& house) {
-  open_ = openDoors(house, leaves_);
+  open_ = enfilade::openDoors(house, leaves_);
   drawn_.clear();
   for (std::uint32_t object = 0; object < open_.size(); ++object) {
     if (!open_[object]) drawn_.push_back(object);

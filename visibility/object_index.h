@@ -42,6 +42,10 @@ class ObjectIndex {
   /// seen from both sides of its portal, beyond which it may stand.
   std::span<const std::uint32_t> ofCell(CellId cell) const noexcept;
 
+  /// The leaves of all doors, and one flag an object: a door that stands open now.
+  std::span<const DoorLeaf> leaves() const noexcept { return leaves_; }
+  std::span<const std::uint8_t> openDoors() const noexcept { return open_; }
+
   /// The box of every object [m, world], doors too.
   std::span<const Box> bounds() const noexcept { return bounds_; }
 

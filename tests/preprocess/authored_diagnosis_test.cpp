@@ -4,18 +4,11 @@
 
 #include <algorithm>
 
-#include "test_building.h"
+#include "tests/preprocess/authored_room.h"
+#include "tests/preprocess/test_building.h"
 
 namespace enfilade {
 namespace {
-
-AuthoredNames::Room room(const std::string& name, const glm::vec3& lo, const glm::vec3& hi) {
-  AuthoredNames::Room result;
-  result.name = name;
-  result.bounds.extend(lo);
-  result.bounds.extend(hi);
-  return result;
-}
 
 AuthoredNames::NamedPortal doorway(bool towards_west) {
   AuthoredNames::NamedPortal door;
@@ -45,23 +38,26 @@ bool tells(const std::vector<std::string>& log, const std::string& text) {
 
 TEST(AuthoredDiagnosis, SaysNothingOfWhatIsRight) {
   AuthoredNames names;
-  names.rooms = {room("west", {0, 0, 0}, {4, 3, 4}), room("east", {4, 0, 0}, {8, 3, 4})};
+  names.rooms = {authoredRoom("west", {0, 0, 0}, {4, 3, 4}),
+                 authoredRoom("east", {4, 0, 0}, {8, 3, 4})};
   names.portals = {doorway(true)};
   for (const std::string& line : logOf(names)) ADD_FAILURE() << line;
 }
 
 TEST(AuthoredDiagnosis, TellsOverlapsButNotRoomsWithinRooms) {
   AuthoredNames names;
-  names.rooms = {room("west", {0, 0, 0}, {6, 3, 4}), room("east", {4, 0, 0}, {8, 3, 4})};
+  names.rooms = {authoredRoom("west", {0, 0, 0}, {6, 3, 4}),
+                 authoredRoom("east", {4, 0, 0}, {8, 3, 4})};
   names.portals = {doorway(true)};
   EXPECT_TRUE(tells(logOf(names), "west and east overlap by"));
-  names.rooms[0] = room("west", {0, 0, 0}, {8, 3, 4});
+  names.rooms[0] = authoredRoom("west", {0, 0, 0}, {8, 3, 4});
   EXPECT_FALSE(tells(logOf(names), "overlap"));
 }
 
 TEST(AuthoredDiagnosis, TellsRoomsThatNothingLeadsToAndPortalsThatFaceAway) {
   AuthoredNames names;
-  names.rooms = {room("west", {0, 0, 0}, {4, 3, 4}), room("east", {4, 0, 0}, {8, 3, 4})};
+  names.rooms = {authoredRoom("west", {0, 0, 0}, {4, 3, 4}),
+                 authoredRoom("east", {4, 0, 0}, {8, 3, 4})};
   const auto alone = logOf(names);
   EXPECT_TRUE(tells(alone, "no portal leads to east") || tells(alone, "east is no cell"));
   for (const bool towards_west : {true, false}) {

@@ -5,18 +5,11 @@
 #include <algorithm>
 
 #include "preprocess/cut_cells.h"
+#include "tests/preprocess/authored_room.h"
 #include "tests/preprocess/test_building.h"
 
 namespace enfilade {
 namespace {
-
-AuthoredNames::Room room(const std::string& name, const glm::vec3& lo, const glm::vec3& hi) {
-  AuthoredNames::Room result;
-  result.name = name;
-  result.bounds.extend(lo);
-  result.bounds.extend(hi);
-  return result;
-}
 
 AuthoredNames::Room emptyNode(const std::string& name, const glm::vec3& at) {
   AuthoredNames::Room result;
@@ -50,7 +43,7 @@ TestBuilding twoRoomsAndADoor() {
 
 TEST(ClaimRooms, WhatNobodyNamesIsFound) {
   AuthoredNames names;
-  names.rooms = {room("kitchen", {4.3f, 0, 0.3f}, {7.6f, 2.5f, 3.8f})};  // rough
+  names.rooms = {authoredRoom("kitchen", {4.3f, 0, 0.3f}, {7.6f, 2.5f, 3.8f})};  // rough
   const CutCells cells = cellsOf(twoRoomsAndADoor(), names);
   EXPECT_EQ(namesOf(cells), (Names{"exterior", "kitchen", "room-1"}));
   EXPECT_EQ(cellAt(cells, {7.8f, 2.8f, 3.8f}), "kitchen") << "beyond its bounds, in the same room";
@@ -81,7 +74,7 @@ TEST(ClaimRooms, StoreysOfEmptyNodesHaveAFloor) {
 
 TEST(ClaimRooms, APortalOfTheAuthorStandsWhereHePutIt) {
   AuthoredNames names;
-  names.rooms = {room("west", {0, 0, 0}, {4, 3, 4})};
+  names.rooms = {authoredRoom("west", {0, 0, 0}, {4, 3, 4})};
   AuthoredNames::NamedPortal door;
   door.portal.name = "west/east-portal";
   door.portal.polygon = {
@@ -95,7 +88,7 @@ TEST(ClaimRooms, APortalOfTheAuthorStandsWhereHePutIt) {
 
 TEST(ClaimRooms, ARoomOverTwoFoundOnesMakesThemOne) {
   AuthoredNames names;
-  names.rooms = {room("flat", {0, 0, 0}, {8, 3, 4})};
+  names.rooms = {authoredRoom("flat", {0, 0, 0}, {8, 3, 4})};
   const CutCells cells = cellsOf(twoRoomsAndADoor(), names);
   EXPECT_EQ(namesOf(cells), (Names{"exterior", "flat"}));
   EXPECT_EQ(cellAt(cells, {1, 1, 1}), "flat");
@@ -107,7 +100,8 @@ TEST(ClaimRooms, TwoRoomsInAnOpenOneAreParted) {
   test.twoRooms({{0, 4, 0, 3}});  // nothing between them
   AuthoredNames names;
   EXPECT_EQ(namesOf(cellsOf(test, names)), (Names{"exterior", "room-1"}));
-  names.rooms = {room("living", {0, 0, 0}, {5, 3, 4}), room("dining", {5, 0, 0}, {8, 3, 4})};
+  names.rooms = {authoredRoom("living", {0, 0, 0}, {5, 3, 4}),
+                 authoredRoom("dining", {5, 0, 0}, {8, 3, 4})};
   const CutCells cells = cellsOf(test, names);
   EXPECT_EQ(namesOf(cells), (Names{"exterior", "living", "dining"}));
   ASSERT_EQ(cells.graph.portals.size(), 1u);
@@ -122,7 +116,7 @@ TEST(ClaimRooms, AClosetTooSmallToBeFoundIsARoomIfNamed) {
   test.wall(true, 1, 0, 0.9f, 0, 3, {{0.2f, 0.8f, 0, 2.0f}});
   AuthoredNames names;
   EXPECT_EQ(namesOf(cellsOf(test, names)), (Names{"exterior", "room-1", "room-2"}));
-  names.rooms = {room("closet", {0.1f, 0, 0.1f}, {0.8f, 3, 0.9f})};
+  names.rooms = {authoredRoom("closet", {0.1f, 0, 0.1f}, {0.8f, 3, 0.9f})};
   const CutCells cells = cellsOf(test, names);
   EXPECT_EQ(namesOf(cells), (Names{"exterior", "closet", "room-1", "room-2"}));
   EXPECT_EQ(cells.graph.portals.size(), 2u);
