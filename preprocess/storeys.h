@@ -14,7 +14,7 @@ struct StoreyBand {
 };
 
 /// The storeys, lowest first, at least one: peaks in the area of floors that have headroom and are
-/// roofed over (or not, where hardly anything is).
+/// roofed over; or shut in by walls, where hardly anything is; or any, where nothing else is.
 std::vector<StoreyBand> findStoreys(const VoxelGrid& voxels);
 
 }  // namespace enfilade

@@ -208,6 +208,30 @@ TEST(FindCells, TwoStoreysMeetInTheStairwellsFloorPlane) {
   EXPECT_EQ(found.cut.graph.cells[2].name, "storey-2 room-1");
 }
 
+TEST(FindCells, ALowStepDoesNotPassForTheFloorOfItsStorey) {
+  TestBuilding test;
+  twoStoreys(test);
+  test.box({1, 3.0f, 1}, {3, 3.15f, 3});
+  test.box({1, 3.15f, 1}, {2, 3.25f, 2});
+  const Found found = find(test);
+  ASSERT_EQ(found.proposal.storeys.size(), 2u) << story(found);
+  EXPECT_NEAR(found.proposal.storeys[1].floor_y, 3.0f, 0.02f);
+  ASSERT_EQ(found.cut.graph.portals.size(), 1u) << story(found);
+  const Portal& stairwell = found.cut.graph.portals[0];
+  EXPECT_NEAR(stairwell.center().y, 2.95f, 0.25f);
+  EXPECT_NEAR(stairwell.area(), 3.0f, 0.3f);
+}
+
+TEST(FindCells, MuchGroundAroundAHouseDoesNotPassForItsFloor) {
+  TestBuilding test;
+  twoStoreys(test);
+  test.slab(-15, -15, 21, 20, -0.4f, 0.1f);
+  const Found found = find(test);
+  ASSERT_EQ(found.proposal.storeys.size(), 2u) << story(found);
+  EXPECT_NEAR(found.proposal.storeys[0].floor_y, 0.0f, 0.02f);
+  EXPECT_NEAR(found.proposal.storeys[1].floor_y, 3.0f, 0.02f);
+}
+
 TEST(FindCells, ARoomOverTwoStoreysIsOneCell) {
   TestBuilding test;
   // A hall of 4 × 5 m over both storeys, beside it a room on each, with a door to the hall below.
