@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "models/floor_plan.h"
 #include "models/mesh_builder.h"
@@ -14,10 +15,11 @@ namespace enfilade {
 /// A building while it is being raised from a plan.
 class BuildingRaiser {
  public:
-  BuildingRaiser(const FloorPlan& plan, const Layout& layout) : plan_(plan), layout_(layout) {}
+  BuildingRaiser(const FloorPlan& plan, const std::vector<Layout>& layouts)
+      : plan_(plan), layouts_(layouts) {}
 
   const FloorPlan& plan() const { return plan_; }
-  const Layout& layout() const { return layout_; }
+  const Layout& layout(std::size_t storey) const { return layouts_[storey]; }
   Building& building() { return building_; }
 
   /// The material of a finish, painted when first asked for.
@@ -38,7 +40,7 @@ class BuildingRaiser {
 
  private:
   const FloorPlan& plan_;
-  const Layout& layout_;
+  const std::vector<Layout>& layouts_;
   Building building_;
   std::map<std::string, std::uint32_t> materials_;
   std::uint32_t marker_ = kNone;

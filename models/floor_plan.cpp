@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "models/json_view.h"
@@ -13,7 +14,8 @@
 namespace enfilade {
 namespace {
 
-constexpr double kTurn = 360;  // the largest turn either way [degrees]
+constexpr double kTurn = 360;        // the largest turn either way [degrees]
+constexpr double kSameLevel = 1e-3;  // [m]
 
 std::string listed(const std::vector<std::string>& names) {
   std::string all;
@@ -154,38 +156,62 @@ PlanFitting parseFitting(const JsonView& json) {
   return fitting;
 }
 
-void parseStorey(const JsonView& json, FloorPlan& plan) {
-  json.allowOnly({"name", "floor", "height", "wall_thickness", "defaults", "walls", "solids",
-                  "rooms", "openings", "fittings"});
-  plan.storey = json.textAt("name", plan.storey);
-  plan.floor = json.numberAt("floor", -100, 1000, 0);
-  plan.height = json.numberAt("height", 2, 40);
-  const double thickness = json.numberAt("wall_thickness", 0.05, 2, 0.25);
+PlanWell parseWell(const JsonView& json) {
+  json.allowOnly({"between", "from", "to"});
+  PlanWell well;
+  const auto between = json.itemsAt("between");
+  if (between.size() != 2) json.at("between").fail("must name two rooms, the upper one first");
+  well.between = {between[0].text(), between[1].text()};
+  const glm::dvec2 from = json.pointAt("from"), to = json.pointAt("to");
+  well.low = glm::min(from, to);
+  well.high = glm::max(from, to);
+  if (well.high.x - well.low.x < 0.3 || well.high.y - well.low.y < 0.3)
+    json.fail("is narrower than 0.3 m");
+  return well;
+}
+
+PlanRoom parseDefaults(const JsonView& storey) {
   PlanRoom defaults;
-  if (json.has("defaults")) {
-    const JsonView view = json.at("defaults");
-    view.allowOnly({"height", "ceiling", "trim"});
-    defaults.height = view.numberAt("height", 2, 20, defaults.height);
-    defaults.ceiling = view.textAt("ceiling", "");
-    defaults.trim = view.textAt("trim", "");
-  }
+  if (!storey.has("defaults")) return defaults;
+  const JsonView json = storey.at("defaults");
+  json.allowOnly({"height", "ceiling", "trim"});
+  defaults.height = json.numberAt("height", 2, 20, defaults.height);
+  defaults.ceiling = json.textAt("ceiling", "");
+  defaults.trim = json.textAt("trim", "");
+  return defaults;
+}
+
+/// `below`: null for the lowest.
+PlanStorey parseStorey(const JsonView& json, const PlanStorey* below) {
+  json.allowOnly({"name", "floor", "height", "wall_thickness", "defaults", "walls", "solids",
+                  "rooms", "openings", "wells", "fittings"});
+  PlanStorey storey;
+  storey.name = json.textAt("name", below == nullptr ? "ground" : "upper");
+  storey.floor = json.numberAt("floor", -100, 1000, below == nullptr ? 0 : below->top());
+  if (below != nullptr && std::abs(storey.floor - below->top()) > kSameLevel)
+    json.at("floor").fail(fmt::format("must be {}, where the storey below ends", below->top()));
+  storey.height = json.numberAt("height", 2, 40);
+  const double thickness = json.numberAt("wall_thickness", 0.05, 2, 0.25);
+  const PlanRoom defaults = parseDefaults(json);
   for (const JsonView& wall : json.itemsAt("walls"))
-    plan.walls.push_back(parseWall(wall, thickness));
+    storey.walls.push_back(parseWall(wall, thickness));
   for (const JsonView& solid : json.itemsAt("solids", false)) {
     solid.allowOnly({"at"});
-    plan.solids.push_back(solid.pointAt("at"));
+    storey.solids.push_back(solid.pointAt("at"));
   }
   for (const JsonView& room : json.itemsAt("rooms"))
-    plan.rooms.push_back(parseRoom(room, defaults));
+    storey.rooms.push_back(parseRoom(room, defaults));
   for (const JsonView& opening : json.itemsAt("openings", false))
-    plan.openings.push_back(parseOpening(opening));
+    storey.openings.push_back(parseOpening(opening));
+  for (const JsonView& well : json.itemsAt("wells", false)) storey.wells.push_back(parseWell(well));
   for (const JsonView& fitting : json.itemsAt("fittings", false))
-    plan.fittings.push_back(parseFitting(fitting));
+    storey.fittings.push_back(parseFitting(fitting));
+  return storey;
 }
 
 void parseOutside(const JsonView& json, FloorPlan& plan) {
   json.allowOnly({"ground", "margin", "facade", "roof", "floor", "trim"});
-  plan.ground = json.numberAt("ground", -100, plan.floor, plan.floor);
+  plan.ground = json.numberAt("ground", -100, plan.storeys[0].floor, plan.storeys[0].floor);
   plan.margin = json.numberAt("margin", 1, 1000, plan.margin);
   plan.facade = json.textAt("facade");
   plan.roof = json.textAt("roof");
@@ -220,9 +246,10 @@ FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subjec
     plan.finishes[name] = parseFinish(name, finish);
   for (const auto& [name, piece] : json.at("pieces").members())
     plan.pieces[name] = parsePiece(name, piece);
-  const auto storeys = json.itemsAt("storeys");
-  if (storeys.size() != 1) json.at("storeys").fail("must hold exactly one storey");
-  parseStorey(storeys[0], plan);
+  for (const JsonView& storey : json.itemsAt("storeys"))
+    plan.storeys.push_back(
+        parseStorey(storey, plan.storeys.empty() ? nullptr : &plan.storeys.back()));
+  if (plan.storeys.empty()) json.at("storeys").fail("must hold at least one storey");
   parseOutside(json.at("outside"), plan);
   checkNames(plan, subject);
   return plan;

@@ -76,6 +76,13 @@ struct PlanFitting {
   bool on_wall = false;  ///< moved to the nearest wall's face and turned away from it
 };
 
+/// A stairwell or light well: a level rectangle cut through a floor, the ceiling below it and what
+/// lies between.
+struct PlanWell {
+  std::array<std::string, 2> between;  ///< the room whose floor it is cut through, the one below
+  glm::dvec2 low{0}, high{0};          ///< opposite corners, low < high
+};
+
 /// The look of a surface.
 struct PlanFinish {
   std::string name;
@@ -87,37 +94,45 @@ struct PlanFinish {
   bool unlit = false;  ///< shows its colours as they are, whichever way it faces
 };
 
-/// A building of one storey, as its author describes it.
-struct FloorPlan {
-  std::string name;
-  std::string copyright;
-  std::uint64_t triangles = 150000;  ///< [≥ 0] of the raised building, unless told otherwise
-  std::string storey = "ground";
-  double floor = 0;    ///< [m] level of every floor
-  double height = 4;   ///< [m] [2…40] from the floor to the roof
-  double ground = 0;   ///< [m] [≤ floor] level of the ground outside
-  double margin = 20;  ///< [m] [> 0] of ground around the building
-  std::string facade;  ///< finishes of the outside
-  std::string roof;
-  std::string ground_finish;
-  std::string outside_trim;
+/// One level of a building, from its floor to the next one, or to the roof.
+struct PlanStorey {
+  std::string name = "ground";
+  double floor = 0;   ///< [m] level of all its rooms' floors
+  double height = 4;  ///< [m] [2…40] from the floor to the next storey's floor, or to the roof
   std::vector<PlanWall> walls;
   std::vector<glm::dvec2> solids;  ///< a point in each area that is masonry, not a room
   std::vector<PlanRoom> rooms;
   std::vector<PlanOpening> openings;
+  std::vector<PlanWell> wells;  ///< through this storey's floor
   std::vector<PlanFitting> fittings;
+
+  double top() const { return floor + height; }
+  /// Index in `rooms`, or -1.
+  int roomIndex(const std::string& room) const;
+};
+
+/// A building, as its author describes it.
+struct FloorPlan {
+  std::string name;
+  std::string copyright;
+  std::uint64_t triangles = 150000;  ///< [≥ 0] of the raised building, unless told otherwise
+  double ground = 0;                 ///< [m] [≤ floor] level of the ground outside
+  double margin = 20;                ///< [m] [> 0] of ground around the building
+  std::string facade;                ///< finishes of the outside
+  std::string roof;
+  std::string ground_finish;
+  std::string outside_trim;
+  std::vector<PlanStorey> storeys;  ///< at least one, upward, each where the one below ends
   std::map<std::string, PlanPiece> pieces;
   std::map<std::string, PlanFinish> finishes;
 
   /// Whether any piece is furniture of a catalogue.
   bool hasFurniture() const;
-  /// Index in `rooms`, or -1.
-  int roomIndex(const std::string& room) const;
 };
 
 /// Reads a plan (models/README.md describes the format) and checks all that can be told without
 /// laying out the walls: types, ranges, misspelt keys, names that stand for nothing.  Throws Error
-/// (kBadInput): "SUBJECT: rooms[2].height: must be from 2 to 20, is 0.5".
+/// (kBadInput): "SUBJECT: storeys[0].rooms[2].height: must be from 2 to 20, is 0.5".
 FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject);
 
 /// Checks that every name the plan uses stands for something in it, and that no name would be

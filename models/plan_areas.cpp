@@ -15,7 +15,7 @@ constexpr int kNothing = -3;
 }
 
 /// The one thing that the plan says lies within `polygon`.
-int areaWithin(const FloorPlan& plan, const std::vector<glm::dvec2>& polygon,
+int areaWithin(const PlanStorey& plan, const std::vector<glm::dvec2>& polygon,
                const std::string& subject) {
   int area = kNothing;
   for (const glm::dvec2& p : plan.solids)
@@ -38,7 +38,7 @@ int areaWithin(const FloorPlan& plan, const std::vector<glm::dvec2>& polygon,
 
 }  // namespace
 
-PlanAreas findAreas(const FloorPlan& plan, const std::string& subject) {
+PlanAreas findAreas(const PlanStorey& plan, const std::string& subject) {
   PlanAreas areas{tracePlanarFaces(plan.walls, subject), {}};
   std::vector<bool> found(plan.rooms.size(), false);
   for (std::size_t face = 0; face < areas.faces.faces.size(); ++face) {
@@ -54,7 +54,7 @@ PlanAreas findAreas(const FloorPlan& plan, const std::string& subject) {
   return areas;
 }
 
-std::string areaName(const FloorPlan& plan, int area) {
+std::string areaName(const PlanStorey& plan, int area) {
   if (area == kMasonry) return "masonry";
   return area == kOutside ? kOutsideName : plan.rooms[static_cast<std::size_t>(area)].name;
 }

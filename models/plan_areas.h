@@ -21,9 +21,9 @@ struct PlanAreas {
 /// Finds the room, or the masonry, in every area that walls enclose.  Throws Error (kBadInput) as
 /// tracePlanarFaces does; for rooms in no area, or two in one; for an area with neither room nor
 /// "solid".
-PlanAreas findAreas(const FloorPlan& plan, const std::string& subject);
+PlanAreas findAreas(const PlanStorey& plan, const std::string& subject);
 
 /// A room's name, "exterior" or "masonry".
-std::string areaName(const FloorPlan& plan, int area);
+std::string areaName(const PlanStorey& plan, int area);
 
 }  // namespace enfilade

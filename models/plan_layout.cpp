@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/plan_outlines.h"
+#include "models/plan_storeys.h"
 #include "models/polygon.h"
 #include "scene/error.h"
 
@@ -17,7 +18,7 @@ constexpr double kLeastPier = 0.05;  // of wall beside an opening, and above it 
 
 class Layouter {
  public:
-  Layouter(const FloorPlan& plan, const std::string& subject)
+  Layouter(const PlanStorey& plan, const std::string& subject)
       : plan_(plan),
         subject_(subject),
         areas_(findAreas(plan, subject)),
@@ -125,8 +126,8 @@ class Layouter {
     }
   }
 
-  const FloorPlan& plan_;
-  const std::string& subject_;
+  const PlanStorey& plan_;
+  const std::string subject_;
   const PlanAreas areas_;
   const PlanarFaces& faces_;
   const PlanOutlines outlines_;
@@ -141,8 +142,14 @@ std::vector<glm::dvec2> Outline::corners() const {
   return points;
 }
 
-Layout layOut(const FloorPlan& plan, const std::string& subject) {
-  return Layouter(plan, subject).run();
+std::vector<Layout> layOut(const FloorPlan& plan, const std::string& subject) {
+  std::vector<Layout> layouts;
+  for (const PlanStorey& storey : plan.storeys)
+    layouts.push_back(
+        Layouter(storey, plan.storeys.size() > 1 ? subject + ": storey " + storey.name : subject)
+            .run());
+  checkStoreys(plan, layouts, subject);
+  return layouts;
 }
 
 }  // namespace enfilade

@@ -21,7 +21,7 @@ struct OpeningSide {
 };
 
 struct LayoutOpening {
-  std::size_t plan = 0;              ///< index in FloorPlan::openings
+  std::size_t plan = 0;              ///< index in PlanStorey::openings
   std::array<OpeningSide, 2> sides;  ///< [0] is the room that states it
 };
 
@@ -50,11 +50,11 @@ struct Outline {
   std::vector<glm::dvec2> corners() const;
 };
 
-/// Where the walls' faces run, once their thickness is known.
+/// Where the walls' faces of one storey run, once their thickness is known.
 struct Layout {
-  std::vector<Outline> rooms;           ///< as FloorPlan::rooms
+  std::vector<Outline> rooms;           ///< as PlanStorey::rooms
   Outline outside;                      ///< negative area: the exterior lies on its left
-  std::vector<LayoutOpening> openings;  ///< as FloorPlan::openings
+  std::vector<LayoutOpening> openings;  ///< as PlanStorey::openings
 
   Outline& outlineOf(int area) {
     return area == kOutside ? outside : rooms[static_cast<std::size_t>(area)];
@@ -62,11 +62,12 @@ struct Layout {
   const Outline& outlineOf(int area) const { return const_cast<Layout*>(this)->outlineOf(area); }
 };
 
-/// Lays the plan out: splits the walls where they meet, finds the areas they enclose, moves the
+/// Lays every storey out: splits the walls where they meet, finds the areas they enclose, moves the
 /// areas' edges by half the walls' thickness, cuts the openings.  Throws Error (kBadInput) for
 /// walls that end in the open, overlap or fall apart; rooms in no area, or two in one; an area with
 /// neither room nor "solid"; openings in no wall, outside their wall, overlapping, higher than a
-/// room, or between other rooms than they say; fittings outside their room.
-Layout layOut(const FloorPlan& plan, const std::string& subject);
+/// room, or between other rooms than they say; fittings outside their room; and for storeys that do
+/// not stand on one another (see checkStoreys).
+std::vector<Layout> layOut(const FloorPlan& plan, const std::string& subject);
 
 }  // namespace enfilade

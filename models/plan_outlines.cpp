@@ -15,7 +15,7 @@ using Stretch = std::vector<std::size_t>;  // half walls in one line, of one thi
 
 class OutlineTracer {
  public:
-  OutlineTracer(const FloorPlan& plan, const PlanAreas& areas, const std::string& subject)
+  OutlineTracer(const PlanStorey& plan, const PlanAreas& areas, const std::string& subject)
       : plan_(plan), faces_(areas.faces), areas_(areas), subject_(subject) {}
 
   PlanOutlines run() {
@@ -100,7 +100,7 @@ class OutlineTracer {
                        halfThickness(b));
   }
 
-  const FloorPlan& plan_;
+  const PlanStorey& plan_;
   const PlanarFaces& faces_;
   const PlanAreas& areas_;
   const std::string& subject_;
@@ -109,7 +109,7 @@ class OutlineTracer {
 
 }  // namespace
 
-PlanOutlines traceOutlines(const FloorPlan& plan, const PlanAreas& areas,
+PlanOutlines traceOutlines(const PlanStorey& plan, const PlanAreas& areas,
                            const std::string& subject) {
   return OutlineTracer(plan, areas, subject).run();
 }

@@ -16,7 +16,7 @@ struct PlanOutlines {
 
 /// Moves every area's edges inward by half of their walls' thickness; stretches of wall in one line
 /// and of one thickness become one edge.  Throws Error (kBadInput) where walls leave no room.
-PlanOutlines traceOutlines(const FloorPlan& plan, const PlanAreas& areas,
+PlanOutlines traceOutlines(const PlanStorey& plan, const PlanAreas& areas,
                            const std::string& subject);
 
 }  // namespace enfilade

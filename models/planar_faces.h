@@ -12,7 +12,7 @@ namespace enfilade {
 /// One side of a stretch of wall between two junctions.
 struct HalfWall {
   std::size_t from = 0, to = 0;  ///< junctions
-  std::size_t wall = 0;          ///< index in FloorPlan::walls
+  std::size_t wall = 0;          ///< index in PlanStorey::walls
   std::size_t face = 0;          ///< the face on its left
   std::size_t twin = 0;          ///< the half that runs the other way
 };

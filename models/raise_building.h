@@ -10,6 +10,7 @@
 namespace enfilade {
 
 /// Raises a plan into a building of about `triangles` triangles: rooms first, in the plan's order,
+/// storey by storey,
 /// each a node `ROOM-room` with its walls, floor, ceiling, trim, portals and bounds; then the
 /// node `outside` with facade, roof and ground; then the fittings.  Every room is closed but for
 /// its portals.  Single-sided faces, vertices shared exactly.  Throws Error (kBadInput) as layOut

@@ -26,10 +26,10 @@ class PieceStore {
   PieceStore(BuildingRaiser& raiser, FurnishedPieces& furnished, std::uint64_t fixed,
              std::uint64_t wanted)
       : raiser_(raiser), furnished_(furnished) {
-    for (const PlanFitting& f : raiser.plan().fittings) {
-      for (const std::string& name : {f.piece, f.on})
-        if (!name.empty()) use(name);
-    }
+    for (const PlanStorey& storey : raiser.plan().storeys)
+      for (const PlanFitting& f : storey.fittings)
+        for (const std::string& name : {f.piece, f.on})
+          if (!name.empty()) use(name);
     const std::uint64_t rest = wanted > fixed ? wanted - fixed : 0;
     scale_ = scaleFor(rest);
   }
@@ -116,12 +116,13 @@ class FittingSetter {
   FittingSetter(BuildingRaiser& raiser, PieceStore& store, const std::string& subject)
       : raiser_(raiser), store_(store), subject_(subject) {}
 
-  void set(std::size_t i, std::uint32_t parent) {
-    const PlanFitting& f = raiser_.plan().fittings[i];
-    const FloorPlan& plan = raiser_.plan();
-    const double base = f.room == kOutsideName ? plan.ground : plan.floor;
-    const glm::dmat4 place =
-        f.on_wall ? hung(i, base) : turned({f.at.x, base + f.height, f.at.y}, f.turn, f.scale);
+  /// `parent`: the room's node, or that of the outside.
+  void set(std::size_t storey, std::size_t i, std::uint32_t parent) {
+    const PlanFitting& f = raiser_.plan().storeys[storey].fittings[i];
+    const double base =
+        f.room == kOutsideName ? raiser_.plan().ground : raiser_.plan().storeys[storey].floor;
+    const glm::dmat4 place = f.on_wall ? hung(storey, i, base)
+                                       : turned({f.at.x, base + f.height, f.at.y}, f.turn, f.scale);
     if (f.on.empty()) {
       addPiece(f.piece, place, parent);
       return;
@@ -133,10 +134,11 @@ class FittingSetter {
 
  private:
   /// On the face of the nearest wall, turned into the room.
-  glm::dmat4 hung(std::size_t i, double base) const {
-    const PlanFitting& f = raiser_.plan().fittings[i];
-    const int room = raiser_.plan().roomIndex(f.room);
-    const Outline& outline = raiser_.layout().outlineOf(room);
+  glm::dmat4 hung(std::size_t storey, std::size_t i, double base) const {
+    const PlanStorey& plan = raiser_.plan().storeys[storey];
+    const Layout& layout = raiser_.layout(storey);
+    const PlanFitting& f = plan.fittings[i];
+    const Outline& outline = layout.outlineOf(plan.roomIndex(f.room));
     const LayoutEdge* nearest = nullptr;
     double least = 1e300;
     for (const LayoutEdge& edge : outline.edges) {
@@ -146,13 +148,12 @@ class FittingSetter {
       least = away;
       nearest = &edge;
     }
-    if (nearest == nullptr) fail(i, "is beside no wall");
+    if (nearest == nullptr) fail(storey, i, "is beside no wall");
     const double along = glm::dot(f.at - nearest->from, nearest->direction());
     for (const EdgeOpening& o : nearest->openings) {
-      const PlanOpening& opening =
-          raiser_.plan().openings[raiser_.layout().openings[o.opening].plan];
+      const PlanOpening& opening = plan.openings[layout.openings[o.opening].plan];
       if (along > o.start && along < o.end && f.height > opening.sill && f.height < opening.head)
-        fail(i, "would hang in an opening");
+        fail(storey, i, "would hang in an opening");
     }
     const glm::dvec2 p = nearest->point(along);
     const double turn = glm::degrees(std::atan2(nearest->inward.x, nearest->inward.y));
@@ -180,10 +181,11 @@ class FittingSetter {
     }
   }
 
-  [[noreturn]] void fail(std::size_t i, const std::string& reason) const {
-    const PlanFitting& f = raiser_.plan().fittings[i];
-    throw Error(ErrorKind::kBadInput, subject_,
-                fmt::format("fittings[{}] ({} in {}): {}", i, f.piece, f.room, reason));
+  [[noreturn]] void fail(std::size_t storey, std::size_t i, const std::string& reason) const {
+    const PlanFitting& f = raiser_.plan().storeys[storey].fittings[i];
+    throw Error(
+        ErrorKind::kBadInput, subject_,
+        fmt::format("storeys[{}].fittings[{}] ({} in {}): {}", storey, i, f.piece, f.room, reason));
   }
 
   BuildingRaiser& raiser_;
@@ -203,16 +205,20 @@ std::uint64_t drawnTriangles(BuildingRaiser& raiser) {
 
 }  // namespace
 
-void raiseFittings(BuildingRaiser& raiser, const std::vector<std::uint32_t>& room_nodes,
+void raiseFittings(BuildingRaiser& raiser,
+                   const std::vector<std::vector<std::uint32_t>>& room_nodes,
                    std::uint32_t outside_node, std::uint64_t triangles,
                    const FurnitureLibrary* library, const std::string& subject) {
   FurnishedPieces furnished(raiser.plan(), library, raiser.building(), subject);
   PieceStore store(raiser, furnished, drawnTriangles(raiser), triangles);
   FittingSetter setter(raiser, store, subject);
-  const FloorPlan& plan = raiser.plan();
-  for (std::size_t i = 0; i < plan.fittings.size(); ++i) {
-    const int room = plan.roomIndex(plan.fittings[i].room);
-    setter.set(i, room == kOutside ? outside_node : room_nodes[static_cast<std::size_t>(room)]);
+  for (std::size_t s = 0; s < raiser.plan().storeys.size(); ++s) {
+    const PlanStorey& storey = raiser.plan().storeys[s];
+    for (std::size_t i = 0; i < storey.fittings.size(); ++i) {
+      const int room = storey.roomIndex(storey.fittings[i].room);
+      setter.set(s, i,
+                 room == kOutside ? outside_node : room_nodes[s][static_cast<std::size_t>(room)]);
+    }
   }
   for (const std::string& credit : furnished.credits()) {
     raiser.building().copyright += "; " + credit;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "models/plan_storeys.h"
 #include "models/polygon.h"
 #include "scene/polygon_triangles.h"
 
@@ -82,7 +83,7 @@ void raisePrism(const std::vector<glm::dvec2>& polygon, double low, double high,
 
 }  // namespace
 
-void raiseWindowFrame(const FloorPlan& plan, const LayoutOpening& opening, MeshBuilder& mesh) {
+void raiseWindowFrame(const PlanStorey& plan, const LayoutOpening& opening, MeshBuilder& mesh) {
   const PlanOpening& look = plan.openings[opening.plan];
   const auto across = latticeBreaks(look.width, look.panes.x);
   const auto up = latticeBreaks(look.head - look.sill, look.panes.y);
@@ -98,27 +99,41 @@ void raiseWindowFrame(const FloorPlan& plan, const LayoutOpening& opening, MeshB
   }
 }
 
-void PortalMarkers::add(const LayoutOpening& opening, std::uint32_t room_node) {
-  const FloorPlan& plan = raiser_.plan();
-  const PlanOpening& look = plan.openings[opening.plan];
+void PortalMarkers::add(const PlanStorey& storey, const LayoutOpening& opening,
+                        std::uint32_t room_node) {
+  const PlanOpening& look = storey.openings[opening.plan];
   const OpeningSide& side = opening.sides[0];
   const auto at = [&](const glm::dvec2& p, double y) {
-    return Corner{{p.x, plan.floor + y, p.y}, {0, 0}, 1};
+    return Corner{{p.x, storey.floor + y, p.y}, {0, 0}, 1};
   };
   MeshBuilder quad;
   quad.flatQuad(at(side.middle_first, look.sill), at(side.middle_second, look.sill),
                 at(side.middle_second, look.head), at(side.middle_first, look.head));
-  const std::string& to = look.between[1];
-  const int number = ++count_[to];
-  const std::string name = number == 1 ? to + "-portal" : fmt::format("{}-portal-{}", to, number);
-  addMarker(raiser_, name, room_node, quad,
-            fmt::format(R"({{"portal":{{"kind":"{}","to":"{}"}}}})", kindWord(look.kind), to));
+  addQuad(quad, look.between[1], kindWord(look.kind), room_node);
 }
 
-void addBounds(BuildingRaiser& raiser, std::size_t room, std::uint32_t room_node) {
-  const FloorPlan& plan = raiser.plan();
-  const PlanRoom& look = plan.rooms[room];
-  const auto corners = raiser.layout().rooms[room].corners();
+void PortalMarkers::add(const PlanWell& well, double level, std::uint32_t upper_room_node) {
+  const auto corners = cornersOf(well);
+  const auto at = [&](std::size_t i) {
+    return Corner{{corners[i].x, level, corners[i].y}, {0, 0}, 1};
+  };
+  MeshBuilder quad;
+  quad.flatQuad(at(3), at(2), at(1), at(0));
+  addQuad(quad, well.between[1], kindWord(OpeningKind::kOpening), upper_room_node);
+}
+
+void PortalMarkers::addQuad(MeshBuilder& quad, const std::string& to, const char* kind,
+                            std::uint32_t node) {
+  const int number = ++count_[to];
+  const std::string name = number == 1 ? to + "-portal" : fmt::format("{}-portal-{}", to, number);
+  addMarker(raiser_, name, node, quad,
+            fmt::format(R"({{"portal":{{"kind":"{}","to":"{}"}}}})", kind, to));
+}
+
+void addBounds(BuildingRaiser& raiser, const PlanStorey& storey, const Layout& layout,
+               std::size_t room, std::uint32_t room_node) {
+  const PlanRoom& look = storey.rooms[room];
+  const auto corners = layout.rooms[room].corners();
   std::vector<std::vector<glm::dvec2>> parts;
   if (isConvex(corners)) {
     parts.push_back(corners);
@@ -128,7 +143,7 @@ void addBounds(BuildingRaiser& raiser, std::size_t room, std::uint32_t room_node
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     MeshBuilder prism;
-    raisePrism(parts[i], plan.floor, plan.floor + look.height, prism);
+    raisePrism(parts[i], storey.floor, storey.floor + look.height, prism);
     const std::string name =
         i == 0 ? look.name + "-bound" : fmt::format("{}-bound-{}", look.name, i + 1);
     addMarker(raiser, name, room_node, prism, {});

@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "models/polygon.h"
+#include "models/polygon_holes.h"
 #include "scene/polygon_triangles.h"
 
 namespace enfilade {
 namespace {
+
+constexpr double kLeastLedge = 0.01;  // between a hole and the shaded edge of a slab [m]
 
 /// Level triangles that face up or down, whichever way they are given.
 class LevelMesh {
@@ -50,9 +53,27 @@ std::size_t middleBreak(const std::vector<WallBreak>& breaks) {
   return best;
 }
 
-std::vector<glm::dvec2> validInset(const std::vector<glm::dvec2>& polygon, double width) {
+/// Whether the holes lie inside and off the edges, where nothing thin is left.
+bool allInside(const std::vector<glm::dvec2>& polygon,
+               const std::vector<std::vector<glm::dvec2>>& holes) {
+  for (const auto& hole : holes) {
+    for (const glm::dvec2& p : hole) {
+      if (!containsPoint(polygon, p)) return false;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2 a = polygon[i], along = polygon[(i + 1) % polygon.size()] - a;
+        const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+        if (glm::distance(p, a + t * along) < kLeastLedge) return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<glm::dvec2> validInset(const std::vector<glm::dvec2>& polygon, double width,
+                                   const std::vector<std::vector<glm::dvec2>>& holes) {
   auto inner = inset(polygon, width);
-  while (!isInsetValid(polygon, inner)) inner = inset(polygon, width *= 0.5);
+  while (!isInsetValid(polygon, inner) || !allInside(inner, holes))
+    inner = inset(polygon, width *= 0.5);
   return inner;
 }
 
@@ -61,7 +82,7 @@ std::vector<glm::dvec2> validInset(const std::vector<glm::dvec2>& polygon, doubl
 void raiseSlab(const Outline& outline, const OutlineBreaks& breaks, const SlabLook& look,
                MeshBuilder& mesh) {
   LevelMesh level(look.level, look.side, look.size, mesh);
-  const auto inner = validInset(outline.corners(), look.edge_width);
+  const auto inner = validInset(outline.corners(), look.edge_width, look.holes);
   std::vector<std::uint32_t> inner_vertices;
   for (const glm::dvec2& p : inner) inner_vertices.push_back(level.vertex(p, 1));
   for (std::size_t e = 0; e < breaks.size(); ++e) {
@@ -71,8 +92,28 @@ void raiseSlab(const Outline& outline, const OutlineBreaks& breaks, const SlabLo
     level.strip(outer, middleBreak(breaks[e]), inner_vertices[e],
                 inner_vertices[(e + 1) % inner.size()]);
   }
-  for (const auto& [a, b, c] : triangulate(inner))
-    level.triangle(inner_vertices[a], inner_vertices[b], inner_vertices[c]);
+  const auto joined = joinHoles(inner, look.holes);
+  std::vector<std::uint32_t> vertices = inner_vertices;
+  for (const auto& hole : look.holes)
+    for (const glm::dvec2& p : hole) vertices.push_back(level.vertex(p, 1));
+  std::vector<glm::dvec2> points;
+  for (const JoinedCorner& corner : joined) points.push_back(corner.point);
+  for (const auto& [a, b, c] : triangulate(points))
+    level.triangle(vertices[joined[a].index], vertices[joined[b].index], vertices[joined[c].index]);
+}
+
+void raiseWell(const std::vector<glm::dvec2>& corners, double low, double high, double size,
+               MeshBuilder& mesh) {
+  double around = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double length = glm::distance(a, b);
+    const auto at = [&](const glm::dvec2& p, double along, double y) {
+      return Corner{{p.x, y, p.y}, glm::dvec2(around + along, -y) / size, 0.9};
+    };
+    mesh.flatQuad(at(a, 0, low), at(b, length, low), at(b, length, high), at(a, 0, high));
+    around += length;
+  }
 }
 
 void raiseRoof(const Outline& outline, const OutlineBreaks& breaks, double parapet_top,

@@ -12,10 +12,15 @@ struct SlabLook {
   double level = 0;         ///< [m]
   double size = 1;          ///< [m] that the picture spans
   double edge_shade = 1;    ///< 0…1 along the walls, 1 from `edge_width` on
-  double edge_width = 0.6;  ///< [m]; less where the outline is narrow
+  double edge_width = 0.6;  ///< [m]; less where the outline is narrow, or a hole near
+  std::vector<std::vector<glm::dvec2>> holes{};  ///< of positive area, inside, apart
 };
 
 void raiseSlab(const Outline& outline, const OutlineBreaks& breaks, const SlabLook& look,
+               MeshBuilder& mesh);
+
+/// The sides of a well through a floor, from `low` to `high`, seen from inside it.
+void raiseWell(const std::vector<glm::dvec2>& corners, double low, double high, double size,
                MeshBuilder& mesh);
 
 /// The flat roof behind a parapet: the coping on top of the outer walls, the parapet's inner

@@ -18,7 +18,7 @@ struct Stretch {
   bool from_corner = false, to_corner = false;
 };
 
-std::vector<Stretch> stretches(const FloorPlan& plan, const LayoutEdge& edge, const Layout& layout,
+std::vector<Stretch> stretches(const PlanStorey& plan, const LayoutEdge& edge, const Layout& layout,
                                TrimGaps gaps) {
   std::vector<Stretch> result{{0, edge.length(), true, true}};
   if (gaps == TrimGaps::kNowhere) return result;
@@ -104,7 +104,7 @@ TrimProfile plinthProfile(double ground) {
   return {{0.05, ground - 0.2}, {0.05, ground + 0.4}, {0, ground + 0.44}};
 }
 
-void raiseTrim(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseTrim(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                const TrimProfile& profile, TrimGaps gaps, MeshBuilder& mesh) {
   const auto corners = outline.corners();
   std::vector<std::vector<glm::dvec2>> moved;
@@ -128,7 +128,7 @@ void raiseTrim(const FloorPlan& plan, const Outline& outline, const Layout& layo
   }
 }
 
-void raiseArchitraves(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseArchitraves(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                       MeshBuilder& mesh) {
   for (const LayoutEdge& edge : outline.edges) {
     for (const EdgeOpening& o : edge.openings) {

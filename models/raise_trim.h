@@ -18,11 +18,11 @@ TrimProfile plinthProfile(double ground);
 /// Runs a profile along the walls of an outline, mitred at the corners.  `skip`: openings, if any,
 /// at whose jambs it stops.
 enum class TrimGaps { kNowhere, kAtDoors };
-void raiseTrim(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseTrim(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                const TrimProfile& profile, TrimGaps gaps, MeshBuilder& mesh);
 
 /// The architraves around the openings of an area: mouldings that stand on the wall's face.
-void raiseArchitraves(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseArchitraves(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                       MeshBuilder& mesh);
 
 }  // namespace enfilade

@@ -43,7 +43,7 @@ std::vector<WallBreak> edgeBreaks(const LayoutEdge& edge, const Layout& layout,
 /// One column of wall between two breaks, and the heights at which each side has vertices.
 class ColumnRaiser {
  public:
-  ColumnRaiser(const FloorPlan& plan, const Layout& layout, const LayoutEdge& edge,
+  ColumnRaiser(const PlanStorey& plan, const Layout& layout, const LayoutEdge& edge,
                const WallExtent& extent, MeshBuilder& mesh)
       : plan_(plan), layout_(layout), edge_(edge), extent_(extent), mesh_(mesh) {}
 
@@ -80,7 +80,7 @@ class ColumnRaiser {
 
   std::uint32_t vertexAt(const WallBreak& at, double y) {
     const Corner corner{{at.point.x, y, at.point.y},
-                        {at.along / extent_.across, 1 - (y - extent_.floor) / extent_.up},
+                        {at.along / extent_.across, 1 - (y - extent_.foot) / extent_.up},
                         at.shade};
     return mesh_.vertex(corner, {edge_.inward.x, 0, edge_.inward.y});
   }
@@ -106,7 +106,7 @@ class ColumnRaiser {
     }
   }
 
-  const FloorPlan& plan_;
+  const PlanStorey& plan_;
   const Layout& layout_;
   const LayoutEdge& edge_;
   const WallExtent& extent_;
@@ -126,7 +126,7 @@ OutlineBreaks outlineBreaks(const Outline& outline, const Layout& layout, bool s
   return breaks;
 }
 
-void raiseWalls(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseWalls(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                 const OutlineBreaks& breaks, const WallExtent& extent, MeshBuilder& mesh) {
   for (std::size_t e = 0; e < outline.edges.size(); ++e) {
     ColumnRaiser columns(plan, layout, outline.edges[e], extent, mesh);
@@ -135,7 +135,42 @@ void raiseWalls(const FloorPlan& plan, const Outline& outline, const Layout& lay
   }
 }
 
-void raiseReveals(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseStoreyJoint(const Outline& outline, const OutlineBreaks& below, const Outline& above,
+                      const OutlineBreaks& breaks_above, double low, double high,
+                      const WallExtent& extent, MeshBuilder& mesh) {
+  for (std::size_t e = 0; e < outline.edges.size(); ++e) {
+    const LayoutEdge& edge = outline.edges[e];
+    // The same edge may stand elsewhere in the upper outline's list.
+    std::size_t upper = 0;
+    for (std::size_t i = 1; i < above.edges.size(); ++i)
+      if (glm::distance(above.edges[i].from, edge.from) <
+          glm::distance(above.edges[upper].from, edge.from))
+        upper = i;
+    const std::vector<WallBreak>&l = below[e], &h = breaks_above[upper];
+    const auto vertex = [&](const WallBreak& at, double y) {
+      return mesh.vertex({{at.point.x, y, at.point.y},
+                          {at.along / extent.across, 1 - (y - extent.foot) / extent.up},
+                          at.shade},
+                         {edge.inward.x, 0, edge.inward.y});
+    };
+    std::vector<std::uint32_t> lower, higher;
+    for (const WallBreak& at : l) lower.push_back(vertex(at, low));
+    for (const WallBreak& at : h) higher.push_back(vertex(at, high));
+    for (std::size_t i = 0, j = 0; i + 1 < l.size() || j + 1 < h.size();) {
+      const bool advance_lower =
+          i + 1 < l.size() && (j + 1 == h.size() || l[i + 1].along <= h[j + 1].along);
+      if (advance_lower) {
+        mesh.triangle(lower[i], lower[i + 1], higher[j]);
+        ++i;
+      } else {
+        mesh.triangle(lower[i], higher[j + 1], higher[j]);
+        ++j;
+      }
+    }
+  }
+}
+
+void raiseReveals(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                   double reveal_size, double threshold_size, MeshBuilder& reveals,
                   MeshBuilder& thresholds) {
   for (const LayoutEdge& edge : outline.edges) {

@@ -28,17 +28,24 @@ struct WallExtent {
   double bottom = 0;  ///< [m] level
   double top = 3;     ///< [m] level
   double across = 1;  ///< [m] that the picture spans along the wall
-  double up = 1;      ///< [m] that the picture spans upward; its foot is at `floor`
+  double up = 1;      ///< [m] that the picture spans upward
+  double foot = 0;    ///< [m] level of the picture's foot
 };
 
 /// The faces of the walls, openings left out.  No T-junctions: every vertex on an edge is a vertex
 /// of both sides.
-void raiseWalls(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseWalls(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                 const OutlineBreaks& breaks, const WallExtent& extent, MeshBuilder& mesh);
+
+/// The strip between the walls' faces of two storeys, whose vertices need not stand over one
+/// another: from `low`, where the lower faces end, to `high`, where the upper ones begin.
+void raiseStoreyJoint(const Outline& outline, const OutlineBreaks& below, const Outline& above,
+                      const OutlineBreaks& breaks_above, double low, double high,
+                      const WallExtent& extent, MeshBuilder& mesh);
 
 /// The halves of the openings' reveals that belong to the area, from its walls' faces to the
 /// middle of the wall: jambs, heads and raised sills go to `reveals`, thresholds to `thresholds`.
-void raiseReveals(const FloorPlan& plan, const Outline& outline, const Layout& layout,
+void raiseReveals(const PlanStorey& plan, const Outline& outline, const Layout& layout,
                   double reveal_size, double threshold_size, MeshBuilder& reveals,
                   MeshBuilder& thresholds);
 

@@ -7,7 +7,7 @@ const std::vector<ShapeKind>& allKinds() {
   static const std::vector<ShapeKind> kinds = [] {
     std::vector<ShapeKind> all;
     for (const auto& some : {sculptureKinds(), bustKinds(), turneryKinds(), masonryKinds(),
-                             furnitureKinds(), hangingKinds(), plantKinds()})
+                             furnitureKinds(), hangingKinds(), plantKinds(), stairwayKinds()})
       all.insert(all.end(), some.begin(), some.end());
     return all;
   }();

@@ -44,6 +44,7 @@ std::vector<ShapeKind> masonryKinds();
 std::vector<ShapeKind> furnitureKinds();
 std::vector<ShapeKind> hangingKinds();
 std::vector<ShapeKind> plantKinds();
+std::vector<ShapeKind> stairwayKinds();
 
 const ShapeKind* findShape(const std::string& name);  ///< nullptr if there is none
 std::vector<std::string> shapeNames();

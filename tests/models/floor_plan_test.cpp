@@ -242,7 +242,7 @@ TEST(PlanLayout, RejectsWhatWouldHangInAnOpening) {
 
 TEST(PlanLayout, PutsRoomsBetweenTheFacesOfTheirWalls) {
   const FloorPlan plan = parseFloorPlan(kPlan, "two.json");
-  const Layout layout = layOut(plan, "two.json");
+  const Layout layout = layOut(plan, "two.json").front();
   EXPECT_NEAR(signedArea(layout.rooms[0].corners()), 3.8 * 3.8, 1e-9);
   EXPECT_NEAR(signedArea(layout.outside.corners()), -8.2 * 4.2, 1e-9);
   ASSERT_EQ(layout.rooms[0].edges.size(), 4u);
@@ -258,7 +258,7 @@ TEST(PlanLayout, JoinsWallsOfTwoThicknessesInOneLineByAStep) {
                           "{\"from\": [0, 0], \"to\": [2, 0]}, {\"from\": [2, 0], \"to\": [8, 0], "
                           "\"thickness\": 0.4}"),
                      "two.json");
-  const Layout layout = layOut(plan, "two.json");
+  const Layout layout = layOut(plan, "two.json").front();
   EXPECT_EQ(layout.rooms[0].edges.size(), 6u);
   EXPECT_NEAR(signedArea(layout.rooms[0].corners()), 3.8 * 3.8 - 1.9 * 0.1, 1e-9);
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <tuple>
 
+#include "tests/models/edge_balance.h"
 #include "tests/models/test_geometry.h"
 
 namespace enfilade {
@@ -29,43 +29,6 @@ glm::dvec3 normalOf(const NamedPortal& p) {
 
 glm::dvec3 middleOf(const NamedPortal& p) { return 0.5 * glm::dvec3(p.corners[0] + p.corners[2]); }
 
-using Point = std::tuple<float, float, float>;
-
-/// Directed edges, counted; an edge and its reverse cancel out.
-class EdgeBalance {
- public:
-  void add(const glm::vec3& a, const glm::vec3& b) {
-    const Point p{a.x, a.y, a.z}, q{b.x, b.y, b.z};
-    p < q ? ++balance_[{p, q}] : --balance_[{q, p}];
-  }
-  void addTriangle(const WorldTriangle& t) {
-    add(t.a, t.b);
-    add(t.b, t.c);
-    add(t.c, t.a);
-  }
-  std::vector<std::pair<Point, Point>> open() const {
-    std::vector<std::pair<Point, Point>> edges;
-    for (const auto& [edge, count] : balance_)
-      if (count != 0) edges.push_back(edge);
-    return edges;
-  }
-
- private:
-  std::map<std::pair<Point, Point>, int> balance_;
-};
-
-/// The quads of the portals into `room`, turned to face it.
-void addPortals(const std::string& room, EdgeBalance& edges) {
-  for (const NamedPortal& p : portals()) {
-    const bool states = p.room == room + "-room";
-    if (!states && p.to != room) continue;
-    for (int i = 0; i < 4; ++i) {
-      const glm::vec3 &a = p.corners[i], &b = p.corners[(i + 1) % 4];
-      states ? edges.add(a, b) : edges.add(b, a);
-    }
-  }
-}
-
 TEST(RaisedRoom, IsClosedByItsWallsFloorCeilingRevealsAndPortalsExactly) {
   for (const Node& node : gallery().nodes) {
     if (!node.name.ends_with("-room")) continue;
@@ -77,12 +40,11 @@ TEST(RaisedRoom, IsClosedByItsWallsFloorCeilingRevealsAndPortalsExactly) {
              name == room + "-reveals";
     });
     EXPECT_GT(shell.size(), 50u);
-    for (const WorldTriangle& t : shell) edges.addTriangle(t);
-    addPortals(room, edges);
+    for (const WorldTriangle& t : shell) edges.add(t);
+    edges.addPortals(portals(), room);
     for (const auto& [a, b] : edges.open())
-      ADD_FAILURE() << room << " is open from " << std::get<0>(a) << " " << std::get<1>(a) << " "
-                    << std::get<2>(a) << " to " << std::get<0>(b) << " " << std::get<1>(b) << " "
-                    << std::get<2>(b);
+      ADD_FAILURE() << room << " is open from " << a.x << " " << a.y << " " << a.z << " to " << b.x
+                    << " " << b.y << " " << b.z;
   }
 }
 
@@ -92,11 +54,11 @@ TEST(RaisedOutside, IsClosedButForItsFootInTheGround) {
     const std::string& name = gallery().nodes[object.node].name;
     return name == "facade" || name == "facade-reveals" || name == "coping" || name == "roof";
   });
-  for (const WorldTriangle& t : shell) edges.addTriangle(t);
-  addPortals("exterior", edges);
+  for (const WorldTriangle& t : shell) edges.add(t);
+  edges.addPortals(portals(), "exterior");
   for (const auto& [a, b] : edges.open()) {
-    EXPECT_LT(std::get<1>(a), -0.2f);
-    EXPECT_LT(std::get<1>(b), -0.2f);
+    EXPECT_LT(a.y, -0.2f);
+    EXPECT_LT(b.y, -0.2f);
   }
 }
 
