@@ -1,12 +1,14 @@
 # make demo    install the packages, build, and walk through the sample building
 # make test    build and run the tests
 # make         build the program: build/release/app/enfilade
+# make figures reproduce the paper's figures: docs/figures.md
 PRESET ?= release
 BUILD := build/$(PRESET)
 ENFILADE := $(BUILD)/app/enfilade
+HOUSES ?= brooks haunted
 FORMATTED := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
-.PHONY: all setup configure build test demo bench format format-check install clean
+.PHONY: all setup configure build test demo figures bench format format-check install clean
 
 all: build
 
@@ -28,6 +30,11 @@ test: configure
 demo: build
 	scripts/demo $(ENFILADE) demo
 
+# Of the houses named in HOUSES; results in docs, what they were made from in the folder figures.
+figures: build
+	@scripts/setup gnuplot-nox imagemagick jq python3 sweethome3d-furniture
+	scripts/figures/figures $(ENFILADE) figures docs $(HOUSES)
+
 bench: PRESET := bench
 bench: setup
 	@scripts/setup libbenchmark-dev
@@ -44,4 +51,4 @@ install: build
 	cmake --install $(BUILD)
 
 clean:
-	rm -rf build demo
+	rm -rf build demo figures
