@@ -1,4 +1,4 @@
-# make demo    install the packages, build, and walk through the sample building
+# make demo    install the packages and furniture, build, and walk through haunted (or SAMPLE=gallery, brooks)
 # make test    build and run the tests
 # make         build the program: build/release/app/enfilade
 # make figures reproduce the paper's figures: docs/figures.md
@@ -28,7 +28,8 @@ test: configure
 	ctest --preset $(PRESET) -j 2
 
 demo: build
-	scripts/demo $(ENFILADE) demo
+	@scripts/setup sweethome3d-furniture
+	scripts/demo $(ENFILADE) demo $(SAMPLE)
 
 # Of the houses named in HOUSES; results in docs, what they were made from in the folder figures.
 figures: build
