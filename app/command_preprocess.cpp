@@ -166,6 +166,11 @@ void addPreprocessCommand(CLI::App& program, CommandContext& context) {
   command->add_option("-o,--output", options->output, "The house folder to write")
       ->required()
       ->type_name("HOUSE");
+  command
+      ->add_flag("--bake-light", options->parameters.bake_light,
+                 "Light the building first, as the sky through its windows and doors and its own "
+                 "lamps (KHR_lights_punctual) would, with diffuse reflections")
+      ->group("Light");
   addCellOptions(*command, options->parameters);
   addImageOptions(*command, *options);
   addNumber(*command, "General", "-j,--jobs", options->parameters.threads,

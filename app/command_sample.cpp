@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/help_format.h"
+#include "app/progress.h"
 #include "models/samples.h"
+#include "preprocess/bake_light.h"
 #include "scene/file_io.h"
 #include "scene/gltf_writer.h"
 
@@ -21,6 +24,7 @@ struct SampleOptions {
   std::string output;
   std::string furniture = kFurnitureFolder;
   std::uint64_t triangles = 0;
+  std::optional<bool> bake_light;  ///< none: as the plan says
 };
 
 /// The credits of what the building is made of, a line each, beside it; nothing if it owes none.
@@ -38,7 +42,14 @@ void writeCredits(const std::string& model_file, const std::string& copyright) {
 }
 
 void runSample(const SampleOptions& options, bool quiet) {
-  const Building building = raiseSample(options.name, options.triangles, options.furniture);
+  const bool lit = options.bake_light.value_or(wantsBakedLight(options.name));
+  Building building = raiseSample(options.name, options.triangles, options.furniture, lit);
+  if (lit) {
+    LightParameters light;
+    light.longest_edge = 0;  // split already, within the number of triangles
+    ProgressPrinter progress(quiet);
+    bakeNamedLight(building, light, progress.sink());
+  }
   writeGlb(options.output, building);
   writeCredits(options.output, building.copyright);
   printNote(quiet, fmt::format("{}: {} triangles, {} objects", options.output,
@@ -73,6 +84,11 @@ void addSampleCommand(CLI::App& program, CommandContext& context) {
           "About how many triangles, 50000 to 10000000; the sample's own number without it")
       ->type_name("N")
       ->check(limits(50e3, 10e6));
+  command->add_flag_function(
+      "--bake-light,!--no-bake-light",
+      [options](std::int64_t count) { options->bake_light = count > 0; },
+      "Light the rooms as the sky through the windows and the lamps would, with "
+      "diffuse reflections; without either as the plan says (brooks and haunted are lit)");
   command->callback([options, &context] {
     context.run = [options, &context] { runSample(*options, context.quiet); };
   });

@@ -13,7 +13,7 @@ std::uint32_t BuildingRaiser::material(const std::string& finish_name) {
   Material material;
   material.name = finish_name;
   material.double_sided = look.double_sided;
-  material.unlit = look.unlit;
+  material.unlit = look.unlit && !to_be_lit_;
   if (look.pattern == "plain") {
     material.base_color = glm::vec4(glm::pow(look.colors[0], glm::dvec3(2.2)), 1.0);
   } else {
@@ -47,7 +47,7 @@ std::uint32_t BuildingRaiser::addNode(const std::string& name, std::uint32_t par
 void BuildingRaiser::addMesh(const std::string& name, std::uint32_t parent,
                              const std::string& finish_name, MeshBuilder& mesh) {
   if (mesh.triangleCount() == 0) return;
-  const std::uint32_t index = mesh.addTo(building_, name, material(finish_name));
+  const std::uint32_t index = mesh.addTo(building_, name, material(finish_name), !to_be_lit_);
   addObject(addNode(name, parent), index);
 }
 

@@ -15,12 +15,14 @@ namespace enfilade {
 /// A building while it is being raised from a plan.
 class BuildingRaiser {
  public:
-  BuildingRaiser(const FloorPlan& plan, const std::vector<Layout>& layouts)
-      : plan_(plan), layouts_(layouts) {}
+  /// `to_be_lit`: without painted shades and unlit finishes, for light to be baked.
+  BuildingRaiser(const FloorPlan& plan, const std::vector<Layout>& layouts, bool to_be_lit)
+      : plan_(plan), layouts_(layouts), to_be_lit_(to_be_lit) {}
 
   const FloorPlan& plan() const { return plan_; }
   const Layout& layout(std::size_t storey) const { return layouts_[storey]; }
   Building& building() { return building_; }
+  bool toBeLit() const { return to_be_lit_; }
 
   /// The material of a finish, painted when first asked for.
   std::uint32_t material(const std::string& finish);
@@ -41,6 +43,7 @@ class BuildingRaiser {
  private:
   const FloorPlan& plan_;
   const std::vector<Layout>& layouts_;
+  bool to_be_lit_;
   Building building_;
   std::map<std::string, std::uint32_t> materials_;
   std::uint32_t marker_ = kNone;

@@ -48,6 +48,23 @@ PlanFinish parseFinish(const std::string& name, const JsonView& json) {
   return finish;
 }
 
+glm::dvec3 parsePlace(const JsonView& json) {
+  const auto xyz = json.items();
+  if (xyz.size() != 3) json.fail("must be [x, y, z]");
+  glm::dvec3 place(0);
+  for (int i = 0; i < 3; ++i) place[i] = xyz[static_cast<std::size_t>(i)].number(-1000, 1000);
+  return place;
+}
+
+PlanLight parseLight(const JsonView& json) {
+  json.allowOnly({"at", "color", "candela"});
+  PlanLight light;
+  light.at = parsePlace(json.at("at"));
+  if (json.has("color")) light.color = parseColor(json.at("color"));
+  light.candela = json.numberAt("candela", 0, 1e6);
+  return light;
+}
+
 PlanPart parsePart(const JsonView& json) {
   PlanPart part;
   part.shape = json.textAt("shape");
@@ -57,14 +74,11 @@ PlanPart parsePart(const JsonView& json) {
   part.finish = json.textAt("finish");
   part.turn = json.numberAt("turn", -kTurn, kTurn, 0);
   part.detail = json.numberAt("detail", 0.01, 100, 1);
-  if (json.has("at")) {
-    const auto xyz = json.at("at").items();
-    if (xyz.size() != 3) json.at("at").fail("must be [x, y, z]");
-    for (int i = 0; i < 3; ++i) part.at[i] = xyz[static_cast<std::size_t>(i)].number(-1000, 1000);
-  }
+  if (json.has("at")) part.at = parsePlace(json.at("at"));
   for (const ShapeParameter& p : kind->parameters) part.numbers[p.name] = p.fallback;
   for (const auto& [key, value] : json.members()) {
-    if (key == "shape" || key == "finish" || key == "turn" || key == "detail" || key == "at")
+    if (key == "shape" || key == "finish" || key == "turn" || key == "detail" || key == "at" ||
+        key == "light")
       continue;
     const ShapeParameter* parameter = kind->find(key);
     if (parameter == nullptr) json.fail(fmt::format("{} has no \"{}\"", part.shape, key));
@@ -74,15 +88,19 @@ PlanPart parsePart(const JsonView& json) {
 }
 
 PlanPiece parsePiece(const std::string& name, const JsonView& json) {
-  PlanPiece piece{name, {}, {}, glm::dvec3(0)};
+  PlanPiece piece{name, {}, {}, glm::dvec3(0), {}};
+  if (json.has("light")) piece.light = parseLight(json.at("light"));
   if (json.has("furniture")) {
-    json.allowOnly({"furniture", "width", "height", "depth"});
+    json.allowOnly({"furniture", "width", "height", "depth", "light"});
     piece.furniture = json.textAt("furniture");
     piece.size = {json.numberAt("width", 0.01, 100, 0), json.numberAt("height", 0.01, 100, 0),
                   json.numberAt("depth", 0.01, 100, 0)};
   } else if (json.has("parts")) {
-    json.allowOnly({"parts"});
-    for (const JsonView& part : json.itemsAt("parts")) piece.parts.push_back(parsePart(part));
+    json.allowOnly({"parts", "light"});
+    for (const JsonView& part : json.itemsAt("parts")) {
+      if (part.has("light")) part.at("light").fail("belongs to the piece, not to a part");
+      piece.parts.push_back(parsePart(part));
+    }
     if (piece.parts.empty()) json.at("parts").fail("needs at least one part");
   } else {
     piece.parts.push_back(parsePart(json));
@@ -234,14 +252,15 @@ FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subjec
     throw Error(ErrorKind::kBadInput, subject, std::string("is not JSON: ") + e.what());
   }
   const JsonView json(document, subject);
-  json.allowOnly({"enfilade", "version", "name", "copyright", "triangles", "storeys", "outside",
-                  "pieces", "finishes"});
+  json.allowOnly({"enfilade", "version", "name", "copyright", "triangles", "bake_light", "storeys",
+                  "outside", "pieces", "finishes"});
   if (json.textAt("enfilade") != "plan") json.at("enfilade").fail("must be \"plan\"");
   json.numberAt("version", 1, 1);
   FloorPlan plan;
   plan.name = json.textAt("name");
   plan.copyright = json.textAt("copyright", plan.name);
   plan.triangles = static_cast<std::uint64_t>(json.numberAt("triangles", 0, 1e8, 150000));
+  plan.bake_light = json.flagAt("bake_light", false);
   for (const auto& [name, finish] : json.at("finishes").members())
     plan.finishes[name] = parseFinish(name, finish);
   for (const auto& [name, piece] : json.at("pieces").members())

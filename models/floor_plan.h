@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,12 +57,20 @@ struct PlanPart {
   double detail = 1;  ///< [0.01…100] share of the triangles, beside the shape's own
 };
 
+/// A lamp in a piece: shines to all sides.
+struct PlanLight {
+  glm::dvec3 at{0};     ///< [m] from the piece's foot
+  glm::dvec3 color{1};  ///< sRGB, 0…1
+  double candela = 0;   ///< [0…1e6]
+};
+
 /// Something that can stand in rooms, many times.
 struct PlanPiece {
   std::string name;
   std::vector<PlanPart> parts;  ///< at least one, unless it is furniture of a catalogue
   std::string furniture;        ///< its id in the FurnitureLibrary; empty: none
   glm::dvec3 size{0};           ///< [m] of furniture: width, height, depth; 0: as in the catalogue
+  std::optional<PlanLight> light{};
 };
 
 /// A piece in its place.
@@ -116,6 +125,7 @@ struct FloorPlan {
   std::string name;
   std::string copyright;
   std::uint64_t triangles = 150000;  ///< [≥ 0] of the raised building, unless told otherwise
+  bool bake_light = false;           ///< rooms are meant to be seen in baked light
   double ground = 0;                 ///< [m] [≤ floor] level of the ground outside
   double margin = 20;                ///< [m] [> 0] of ground around the building
   std::string facade;                ///< finishes of the outside

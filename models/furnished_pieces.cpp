@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "models/split_piece.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -61,9 +62,12 @@ FurnishedPiece FurnishedPieces::load(const PlanPiece& wanted) {
   }
   FurnishedPiece piece;
   piece.place = glm::scale(glm::dmat4(1), scale) * glm::dmat4(model.nodes[0].world_from_node);
-  piece.triangles = triangleCount(model);
   piece.top = entry->top * scale.y;
   piece.meshes = moveMeshes(model, building_);
+  if (to_be_lit_) splitPiece(building_, piece.meshes, glm::mat4(piece.place));
+  for (const std::uint32_t mesh : piece.meshes) {
+    piece.triangles += building_.meshes[mesh].indices.size() / 3;
+  }
   credits_.insert(fmt::format("{} by {} ({})", entry->name, entry->creator, entry->licence));
   return piece;
 }

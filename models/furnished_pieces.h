@@ -24,10 +24,15 @@ struct FurnishedPiece {
 /// Brings pieces of the furniture catalogues into a building, each once, and knows whom to thank.
 class FurnishedPieces {
  public:
-  /// `library` may be null if the plan has no such piece.  All must outlive it.
+  /// `library` may be null if the plan has no such piece.  All must outlive it.  `to_be_lit`: large
+  /// faces are split.
   FurnishedPieces(const FloorPlan& plan, const FurnitureLibrary* library, Building& building,
-                  const std::string& subject)
-      : plan_(plan), library_(library), building_(building), subject_(subject) {}
+                  const std::string& subject, bool to_be_lit)
+      : plan_(plan),
+        library_(library),
+        building_(building),
+        subject_(subject),
+        to_be_lit_(to_be_lit) {}
 
   /// Loads it when first asked for.  Throws Error (kBadInput) for an id that no catalogue has.
   const FurnishedPiece& piece(const std::string& name);
@@ -42,6 +47,7 @@ class FurnishedPieces {
   const FurnitureLibrary* library_;
   Building& building_;
   const std::string& subject_;
+  bool to_be_lit_;
   std::map<std::string, FurnishedPiece> pieces_;
   std::set<std::string> credits_;
 };

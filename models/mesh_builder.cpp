@@ -19,6 +19,8 @@ std::uint32_t MeshBuilder::vertex(const Corner& corner, const glm::dvec3& normal
   const glm::dvec3 color = tint_ * corner.shade;
   vertices_.colors.emplace_back(toUnorm16(color.r), toUnorm16(color.g), toUnorm16(color.b),
                                 std::uint16_t{65535});
+  unshaded_.emplace_back(toUnorm16(tint_.r), toUnorm16(tint_.g), toUnorm16(tint_.b),
+                         std::uint16_t{65535});
   return static_cast<std::uint32_t>(vertices_.positions.size() - 1);
 }
 
@@ -67,7 +69,8 @@ void MeshBuilder::box(const glm::dvec3& low, const glm::dvec3& high, const std::
 }
 
 std::uint32_t MeshBuilder::addTo(Building& building, const std::string& name,
-                                 std::uint32_t material) {
+                                 std::uint32_t material, bool shaded) {
+  if (!shaded) vertices_.colors = std::move(unshaded_);
   Mesh mesh;
   mesh.name = name;
   mesh.vertices = static_cast<std::uint32_t>(building.vertex_arrays.size());

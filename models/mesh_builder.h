@@ -38,11 +38,14 @@ class MeshBuilder {
 
   std::size_t triangleCount() const { return indices_.size() / 3; }
 
-  /// Moves the mesh into the building; returns its index there.
-  std::uint32_t addTo(Building& building, const std::string& name, std::uint32_t material);
+  /// Moves the mesh into the building; returns its index there.  Without `shaded` the corners'
+  /// shades are left out.
+  std::uint32_t addTo(Building& building, const std::string& name, std::uint32_t material,
+                      bool shaded = true);
 
  private:
   VertexArrays vertices_;
+  std::vector<glm::u16vec4> unshaded_;  // the tints alone
   std::vector<std::uint32_t> indices_;
   glm::dmat4 transform_{1};
   glm::dvec3 tint_{1};

@@ -10,6 +10,7 @@
 #include "models/raise_slabs.h"
 #include "models/raise_trim.h"
 #include "models/raise_walls.h"
+#include "scene/tessellate.h"
 
 namespace enfilade {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kTrimSize = 0.5;
 constexpr double kEdgeWidth = 0.6;  // of the shade along the edges of floors and ceilings
 constexpr double kFloorEdgeShade = 0.78;
 constexpr double kCeilingEdgeShade = 0.85;
+constexpr float kLitEdge = 0.4f;  // of faces that carry light [m]
+constexpr float kCoarseEdge = 1.2f;
 
 /// One storey while its rooms are raised.
 struct StoreyRaiser {
@@ -153,12 +156,27 @@ std::uint32_t raiseOutside(BuildingRaiser& raiser) {
   return node;
 }
 
+/// Splits the faces of all that stands, so that they can carry light; the ground and the mouldings,
+/// which share no edges with the rest, into larger ones.
+void splitForLight(BuildingRaiser& raiser, std::size_t most_added) {
+  Building& building = raiser.building();
+  std::vector<MeshToSplit> house, coarse;
+  for (const Object& object : building.objects) {
+    if (building.meshOf(object).material == raiser.markerMaterial()) continue;
+    const std::string& name = building.nodes[object.node].name;
+    const bool is_coarse = name == "ground" || name.ends_with("-trim");
+    (is_coarse ? coarse : house).push_back({object.mesh, glm::mat4(1)});
+  }
+  splitLongEdges(building, house, kLitEdge, most_added);
+  splitLongEdges(building, coarse, kCoarseEdge, most_added);
+}
+
 }  // namespace
 
 Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std::string& subject,
-                       const FurnitureLibrary* library) {
+                       const FurnitureLibrary* library, bool to_be_lit) {
   const std::vector<Layout> layouts = layOut(plan, subject);
-  BuildingRaiser raiser(plan, layouts);
+  BuildingRaiser raiser(plan, layouts, to_be_lit);
   raiser.building().name = plan.name;
   raiser.building().copyright = plan.copyright;
   PortalMarkers markers(raiser);
@@ -169,6 +187,7 @@ Building raiseBuilding(const FloorPlan& plan, std::uint64_t triangles, const std
     room_nodes.push_back(raiseRooms({raiser, plan.storeys[i], layouts[i], above}, markers));
   }
   const std::uint32_t outside = raiseOutside(raiser);
+  if (to_be_lit) splitForLight(raiser, triangles / 4);
   raiseFittings(raiser, room_nodes, outside, triangles, library, subject);
   return std::move(raiser.building());
 }

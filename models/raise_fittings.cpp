@@ -7,6 +7,7 @@
 
 #include "models/furnished_pieces.h"
 #include "models/shapes.h"
+#include "models/split_piece.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -16,9 +17,25 @@ namespace {
 struct ReadyPart {
   const PlanPart* plan;
   Shape shape;
-  double triangles;  ///< of its curved surfaces at scale 1
+  double triangles;             ///< of its curved surfaces at scale 1
+  std::uint64_t for_light = 0;  ///< triangles added by splitting flat faces for baked light
   std::uint32_t mesh = kNone;
 };
+
+/// Curved surfaces are fine enough for light as they are.
+bool isSplitForLight(const Shape& shape) { return shape.surfaces.empty(); }
+
+/// How many triangles splitting a shape for baked light adds.
+std::uint64_t addedForLight(const Shape& shape) {
+  if (!isSplitForLight(shape)) return 0;
+  Building scratch;
+  MeshBuilder mesh;
+  raiseShape(shape, 0, mesh);
+  const std::size_t before = mesh.triangleCount();
+  const std::uint32_t index = mesh.addTo(scratch, {}, 0);
+  splitPiece(scratch, {&index, 1}, glm::mat4(1));
+  return scratch.meshes[index].indices.size() / 3 - before;
+}
 
 /// The pieces that the plan uses, and how finely they are to be raised.
 class PieceStore {
@@ -55,7 +72,9 @@ class PieceStore {
       raiseShape(ready.shape, ready.triangles * scale_, mesh);
       const std::string name = part == 0 ? piece : fmt::format("{}.{}", piece, part + 1);
       const std::uint32_t material = raiser_.material(ready.plan->finish);
-      ready.mesh = mesh.addTo(raiser_.building(), name, material);
+      ready.mesh = mesh.addTo(raiser_.building(), name, material, !raiser_.toBeLit());
+      if (raiser_.toBeLit() && isSplitForLight(ready.shape))
+        splitPiece(raiser_.building(), {&ready.mesh, 1}, glm::mat4(1));
     }
     return ready.mesh;
   }
@@ -71,7 +90,9 @@ class PieceStore {
     if (!fresh) return;
     for (const PlanPart& part : raiser_.plan().pieces.at(name).parts) {
       const ShapeKind& kind = *findShape(part.shape);
-      entry->second.push_back({&part, kind.make(part.numbers), kind.triangles * part.detail});
+      ReadyPart ready{&part, kind.make(part.numbers), kind.triangles * part.detail};
+      if (raiser_.toBeLit()) ready.for_light = addedForLight(ready.shape);
+      entry->second.push_back(std::move(ready));
     }
   }
 
@@ -79,7 +100,8 @@ class PieceStore {
     std::uint64_t count = furniture_triangles_;
     for (const auto& [name, parts] : pieces_)
       for (const ReadyPart& part : parts)
-        count += places_.at(name) * countTriangles(part.shape, part.triangles * scale);
+        count += places_.at(name) *
+                 (part.for_light + countTriangles(part.shape, part.triangles * scale));
     return count;
   }
 
@@ -163,6 +185,9 @@ class FittingSetter {
   void addPiece(const std::string& piece, const glm::dmat4& place, std::uint32_t parent) {
     const int number = ++count_[piece];
     const std::string name = fmt::format("{}-{}", piece, number);
+    if (const auto& light = raiser_.plan().pieces.at(piece).light) {
+      addLight(*light, name + "-lamp", place, parent);
+    }
     if (const FurnishedPiece* furniture = store_.furnished(piece)) {
       const std::uint32_t node = raiser_.addNode(name, parent, glm::mat4(place * furniture->place));
       for (const std::uint32_t mesh : furniture->meshes) raiser_.addObject(node, mesh);
@@ -179,6 +204,18 @@ class FittingSetter {
       raiser_.addObject(raiser_.addNode(fmt::format("{}.{}", name, k + 1), node, glm::mat4(m)),
                         store_.meshOf(piece, k));
     }
+  }
+
+  void addLight(const PlanLight& look, const std::string& name, const glm::dmat4& place,
+                std::uint32_t parent) {
+    Light light;
+    light.name = name;
+    light.node = raiser_.addNode(
+        name, parent,
+        glm::mat4(glm::translate(glm::dmat4(1), glm::dvec3(place * glm::dvec4(look.at, 1)))));
+    light.color = glm::vec3(glm::pow(look.color, glm::dvec3(2.2)));
+    light.intensity = static_cast<float>(look.candela);
+    raiser_.building().lights.push_back(light);
   }
 
   [[noreturn]] void fail(std::size_t storey, std::size_t i, const std::string& reason) const {
@@ -209,7 +246,7 @@ void raiseFittings(BuildingRaiser& raiser,
                    const std::vector<std::vector<std::uint32_t>>& room_nodes,
                    std::uint32_t outside_node, std::uint64_t triangles,
                    const FurnitureLibrary* library, const std::string& subject) {
-  FurnishedPieces furnished(raiser.plan(), library, raiser.building(), subject);
+  FurnishedPieces furnished(raiser.plan(), library, raiser.building(), subject, raiser.toBeLit());
   PieceStore store(raiser, furnished, drawnTriangles(raiser), triangles);
   FittingSetter setter(raiser, store, subject);
   for (std::size_t s = 0; s < raiser.plan().storeys.size(); ++s) {

@@ -34,6 +34,17 @@ std::string builtInPlan(const std::string& name) {
   return found->text;
 }
 
+bool isFile(const std::string& name) { return name.ends_with(".json"); }
+
+/// What errors call the plan.
+std::string subjectOf(const std::string& name) {
+  return isFile(name) ? name : "plans/" + name + ".json";
+}
+
+FloorPlan planOf(const std::string& name) {
+  return parseFloorPlan(isFile(name) ? textOfFile(name) : builtInPlan(name), subjectOf(name));
+}
+
 }  // namespace
 
 std::vector<std::string> sampleNames() {
@@ -43,17 +54,17 @@ std::vector<std::string> sampleNames() {
   return names;
 }
 
+bool wantsBakedLight(const std::string& name) { return planOf(name).bake_light; }
+
 Building raiseSample(const std::string& name, std::uint64_t triangles,
-                     const std::string& furniture_folder) {
+                     const std::string& furniture_folder, bool to_be_lit) {
   if (triangles != 0 && (triangles < kLeast || triangles > kMost))
     throw Error(ErrorKind::kUsage, name, "triangles must be from 50000 to 10000000");
-  const bool is_file = name.ends_with(".json");
-  const std::string subject = is_file ? name : "plans/" + name + ".json";
-  const FloorPlan plan = parseFloorPlan(is_file ? textOfFile(name) : builtInPlan(name), subject);
+  const FloorPlan plan = planOf(name);
   std::optional<FurnitureLibrary> library;
   if (plan.hasFurniture()) library.emplace(furniture_folder);
-  return raiseBuilding(plan, triangles == 0 ? plan.triangles : triangles, subject,
-                       library ? &*library : nullptr);
+  return raiseBuilding(plan, triangles == 0 ? plan.triangles : triangles, subjectOf(name),
+                       library ? &*library : nullptr, to_be_lit);
 }
 
 }  // namespace enfilade

@@ -13,6 +13,7 @@ constexpr double kNosing = 0.025;     // of a tread beyond its riser [m]
 constexpr double kTread = 0.035;      // its thickness [m]
 constexpr double kBaluster = 0.028;   // radius of a baluster where it is thickest [m]
 constexpr double kRail = 0.032;       // half the width and height of a handrail [m]
+constexpr double kRailPiece = 0.4;    // length of a piece of it [m]
 constexpr double kPost = 0.055;       // half the width of a newel post [m]
 constexpr double kPostHigher = 0.14;  // than the handrail [m]
 
@@ -54,17 +55,22 @@ CurvedSurface balusterAt(const glm::dvec3& foot, double height,
   return surface;
 }
 
-/// A bar along +x from `from` to `to`, whose ends are upright.
+/// A bar along +x from `from` to `to`, whose ends are upright, in pieces that carry light.
 void raiseRail(const glm::dvec3& from, const glm::dvec3& to, MeshBuilder& mesh) {
-  const auto at = [&](const glm::dvec3& p, double y, double z, double u) {
-    return Corner{p + glm::dvec3(0, y, z), {u, y + z}, 1};
-  };
   const double length = glm::distance(from, to);
+  const int pieces = std::max(1, static_cast<int>(std::lround(length / kRailPiece)));
+  const auto at = [&](int step, const glm::dvec2& side) {
+    const double share = static_cast<double>(step) / pieces;
+    return Corner{glm::mix(from, to, share) + glm::dvec3(0, side.x, side.y),
+                  {share * length, side.x + side.y},
+                  1};
+  };
   const glm::dvec2 around[] = {{-kRail, kRail}, {kRail, kRail}, {kRail, -kRail}, {-kRail, -kRail}};
-  for (int i = 0; i < 4; ++i) {
-    const glm::dvec2 &a = around[i], &b = around[(i + 1) % 4];
-    mesh.flatQuad(at(from, a.x, a.y, 0), at(to, a.x, a.y, length), at(to, b.x, b.y, length),
-                  at(from, b.x, b.y, 0));
+  for (int step = 0; step < pieces; ++step) {
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec2 &a = around[i], &b = around[(i + 1) % 4];
+      mesh.flatQuad(at(step, a), at(step + 1, a), at(step + 1, b), at(step, b));
+    }
   }
 }
 

@@ -13,6 +13,7 @@
 #include "preprocess/authored_diagnosis.h"
 #include "preprocess/authored_names.h"
 #include "preprocess/bake_images.h"
+#include "preprocess/bake_light.h"
 #include "preprocess/cut_cells.h"
 #include "preprocess/given_cells.h"
 #include "preprocess/house_folder.h"
@@ -66,6 +67,7 @@ std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p)
                 {"automatic", p.automatic ? "true" : "false"},
                 {"named_only", p.named_only ? "true" : "false"},
                 {"images", p.images ? "true" : "false"},
+                {"bake_light", p.bake_light ? "true" : "false"},
                 {"voxel_m", number(p.cells.voxel)},
                 {"slice_height_m", number(p.cells.slice_height)},
                 {"lintel_radius_m", number(p.cells.lintel_radius)},
@@ -114,6 +116,19 @@ CellProposal proposeCells(CellSource source, const Building& model,
   }
 }
 
+/// Light passes doors, which stand open, and windows.
+void lightModel(Building& model, const CutCells& cells, std::span<const ObjectRole> roles,
+                const PreprocessParameters& parameters, const Stages& stages) {
+  std::vector<std::uint8_t> clear;
+  for (const ObjectRole role : roles) clear.push_back(role != ObjectRole::kFixed ? 1 : 0);
+  LightParameters light;
+  light.threads = parameters.threads;
+  bakeLight(model, skyPortals(cells.graph), clear, light,
+            [&](const std::string& stage, double done) {
+              if (done < 1) stages.tell(stage, done);
+            });
+}
+
 House makeHouse(Building model, const PreprocessParameters& parameters,
                 const std::optional<GivenGraph>& given, Stages& stages) {
   const AuthoredNames names = takeAuthoredNames(model);
@@ -130,6 +145,9 @@ House makeHouse(Building model, const PreprocessParameters& parameters,
   }
   if (source == CellSource::kGiven) compareWithGiven(*given, cells);
   fixDoorsWithoutPortals(model, cells, roles);
+  if (parameters.bake_light) {
+    stages.run(kLightStage, [&] { lightModel(model, cells, roles, parameters, stages); });
+  }
   SharedGeometry shared = stages.run("share out the geometry", [&] {
     const Patches patches = makePatches(model);
     PatchCells claims = claimByTouch(model, patches, voxels, cells);

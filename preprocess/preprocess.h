@@ -23,6 +23,7 @@ struct PreprocessParameters {
   bool automatic = false;   ///< pass over the rooms and portals that the author named
   bool named_only = false;  ///< take no others than those, if there are any
   bool images = true;       ///< bake the portals' images
+  bool bake_light = false;  ///< light the building through the portals to its exterior first
   CellParameters cells;
   ImageParameters image;
   float eye_height = 1.6f;  ///< [m] [0.2…3] above the floor

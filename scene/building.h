@@ -8,6 +8,7 @@
 
 #include "scene/geometry.h"
 #include "scene/image.h"
+#include "scene/light.h"
 
 namespace enfilade {
 
@@ -74,6 +75,7 @@ struct Building {
   std::vector<TextureImage> images;
   std::vector<Node> nodes;
   std::vector<Object> objects;
+  std::vector<Light> lights;
 
   const glm::mat4& worldFromObject(const Object& object) const {
     return nodes[object.node].world_from_node;

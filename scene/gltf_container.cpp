@@ -135,7 +135,8 @@ void checkShape(const std::string& file, const json& root) {
 }
 
 void checkRequiredExtensions(const std::string& file, const json& root) {
-  constexpr std::array<std::string_view, 3> kKnown{"KHR_materials_unlit", "KHR_mesh_quantization",
+  constexpr std::array<std::string_view, 4> kKnown{"KHR_lights_punctual", "KHR_materials_unlit",
+                                                   "KHR_mesh_quantization",
                                                    "KHR_texture_transform"};
   std::string lacking;
   for (const json& extension : root.value("extensionsRequired", json::array())) {

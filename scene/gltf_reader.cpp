@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/building_repair.h"
+#include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_meshes.h"
 #include "scene/gltf_model.h"
@@ -22,6 +23,7 @@ void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
                WarningLog& warnings) {
   const GltfNodeTree tree = readNodeTree(gltf);
   std::vector<glm::dmat4> world_from_node;
+  std::vector<int> gltf_nodes;
   for (const auto& [gltf_node, parent] : tree.entries) {
     const tinygltf::Node& source = gltf->nodes[static_cast<std::size_t>(gltf_node)];
     const glm::dmat4 own = parentFromNode(gltf, gltf_node);
@@ -33,6 +35,7 @@ void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
     node.world_from_node = glm::mat4(world_from_node.back());
     node.extras = gltf.node_extras[static_cast<std::size_t>(gltf_node)];
     building.nodes.push_back(std::move(node));
+    gltf_nodes.push_back(gltf_node);
 
     if (source.mesh < 0) continue;
     if (source.skin >= 0) warnings.add("skin ignored", "node '" + oneLine(source.name) + "'");
@@ -41,6 +44,7 @@ void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
       building.objects.push_back({index, mesh});
     }
   }
+  readLights(gltf, gltf_nodes, building, warnings);
 }
 
 /// The writer's own order of the objects, where it differs from the order of the nodes.

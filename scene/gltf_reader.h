@@ -19,9 +19,9 @@ using Warnings = std::vector<std::string>;
 /// Triangles only: strips and fans are turned into triangles, points and lines are left out, and so
 /// are pictures that are missing or neither PNG nor JPEG; missing normals become flat ones; skins
 /// and morph targets are ignored.  Each with a warning.  Of the extensions it knows
-/// KHR_texture_transform, KHR_mesh_quantization, KHR_materials_unlit and the diffuse colour of
-/// KHR_materials_pbrSpecularGlossiness.  External files must lie inside the model's own folder,
-/// symbolic links resolved.
+/// KHR_texture_transform, KHR_mesh_quantization, KHR_materials_unlit, KHR_lights_punctual and the
+/// diffuse colour of KHR_materials_pbrSpecularGlossiness.  External files must lie inside the
+/// model's own folder, symbolic links resolved.
 ///
 /// Throws Error (kBadInput) naming the file: missing, a directory, not glTF 2.0, truncated, a
 /// required extension that we lack, indices out of range, nodes below themselves, no triangles.

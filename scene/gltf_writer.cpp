@@ -145,6 +145,7 @@ std::vector<std::uint8_t> encodeGlb(const Building& building) {
   const MeshesByNode meshes_by_node = meshesByNode(building);
   MeshTable meshes(building, accessors, root);
   writeNodes(building, meshes_by_node, meshes, root);
+  writeLights(building, root);
   root["extras"]["enfilade"] = ownExtras(building, meshes_by_node);
   if (root["bufferViews"].empty()) root.erase("bufferViews");
   if (buffer.size() > 0) root["buffers"].push_back({{"byteLength", buffer.size()}});

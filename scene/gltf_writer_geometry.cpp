@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "scene/gltf_writer_parts.h"
 
@@ -20,6 +22,14 @@ constexpr int kElementArrayBuffer = 34963;
 template <typename T>
 std::span<const std::uint8_t> bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// The accessors of one kind that are written, by their bytes: what many arrays share (the
+/// positions of furniture that stands in many places, each with its own colours) is written once.
+using Written = std::map<std::string_view, int>;
+
+std::string_view textOf(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 struct Used {
@@ -61,11 +71,15 @@ class AttributeWriter {
              int component_type) {
     const std::size_t start = buffer_.size();
     const std::size_t view = root_["bufferViews"].size();
+    Written written;
     for (std::size_t v = 0; v < building_.vertex_arrays.size(); ++v) {
       const VertexArrays& vertices = building_.vertex_arrays[v];
       const std::vector<T>& values = vertices.*array;
       if (!used_.vertices[v] || values.empty()) continue;
       assert(values.size() == vertices.positions.size());
+      const auto [known, is_new] = written.try_emplace(textOf(bytesOf(values)), -1);
+      accessors_.vertices[v].*accessor = known->second;
+      if (!is_new) continue;
       ordered_json json{{"bufferView", view},
                         {"byteOffset", buffer_.add(bytesOf(values)) - start},
                         {"componentType", component_type}};
@@ -73,7 +87,8 @@ class AttributeWriter {
       json["count"] = values.size();
       json["type"] = type;
       if (accessor == &Vertices::position) addBounds(vertices.positions, json);
-      accessors_.vertices[v].*accessor = addAccessor(root_, std::move(json));
+      known->second = addAccessor(root_, std::move(json));
+      accessors_.vertices[v].*accessor = known->second;
     }
     if (buffer_.size() == start) return;
     addBufferView(root_, start, buffer_.size() - start, kArrayBuffer, sizeof(T));
@@ -91,19 +106,23 @@ void writeIndices(const Building& building, const Used& used, ordered_json& root
                   GeometryAccessors& accessors) {
   const std::size_t start = buffer.size();
   const std::size_t view = root["bufferViews"].size();
+  Written written;
   for (std::size_t m = 0; m < building.meshes.size(); ++m) {
     const std::vector<std::uint32_t>& indices = building.meshes[m].indices;
     if (!used.meshes[m]) continue;
     assert(!indices.empty() && "a mesh that is placed must have triangles");
+    const auto [known, is_new] = written.try_emplace(textOf(bytesOf(indices)), -1);
+    accessors.indices[m] = known->second;
+    if (!is_new) continue;
     // 65535 is reserved for the restart of a strip.
     const bool small = *std::max_element(indices.begin(), indices.end()) < 65535;
     const std::size_t offset = small ? buffer.addAs16Bit(indices) : buffer.add(bytesOf(indices));
-    accessors.indices[m] =
-        addAccessor(root, {{"bufferView", view},
-                           {"byteOffset", offset - start},
-                           {"componentType", small ? kUnsignedShort : kUnsignedInt},
-                           {"count", indices.size()},
-                           {"type", "SCALAR"}});
+    known->second = addAccessor(root, {{"bufferView", view},
+                                       {"byteOffset", offset - start},
+                                       {"componentType", small ? kUnsignedShort : kUnsignedInt},
+                                       {"count", indices.size()},
+                                       {"type", "SCALAR"}});
+    accessors.indices[m] = known->second;
   }
   if (buffer.size() == start) return;
   addBufferView(root, start, buffer.size() - start, kElementArrayBuffer, 0);

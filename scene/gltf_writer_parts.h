@@ -29,6 +29,9 @@ GeometryAccessors writeGeometry(const Building& building, nlohmann::ordered_json
 /// Appends all images to `buffer`, all materials with their textures and samplers to `root`.
 void writeMaterials(const Building& building, nlohmann::ordered_json& root, GlbBuffer& buffer);
 
+/// Writes the lights to `root`, whose nodes are there already.  A node has one light.
+void writeLights(const Building& building, nlohmann::ordered_json& root);
+
 /// Appends a buffer view, without `target` or `stride` if they are 0.  Returns its index.
 int addBufferView(nlohmann::ordered_json& root, std::size_t offset, std::size_t length, int target,
                   std::size_t stride);

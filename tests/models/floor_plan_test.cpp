@@ -164,6 +164,25 @@ TEST(FloorPlan, RejectsAColourThatIsNone) {
   expectComplaint(with("#ffffff", "#fffff"), "finishes.white.colors[0]: must be a colour");
 }
 
+TEST(FloorPlan, ALampOfAPieceShinesWhereThePieceStands) {
+  const std::string text =
+      with("\"height\": 0.5", R"("height": 0.5, "light": {"at": [0, 0.4, 0.1], "candela": 60})");
+  const Building building = raiseBuilding(parseFloorPlan(text, "two.json"), 2000, "two.json");
+  ASSERT_EQ(building.lights.size(), 1u);
+  EXPECT_EQ(building.lights[0].intensity, 60.0f);
+  const glm::vec3 place(building.nodes[building.lights[0].node].world_from_node[3]);
+  EXPECT_NEAR(glm::distance(place, glm::vec3(7, 0.4f, 1.1f)), 0, 1e-5);
+}
+
+TEST(FloorPlan, RejectsALampThatIsNone) {
+  expectComplaint(with("\"height\": 0.5", R"("height": 0.5, "light": {"at": [0, 1, 0]})"),
+                  "pieces.jar.light");
+  expectComplaint(
+      with("\"height\": 0.5", R"("height": 0.5, "light": {"at": [0, 1], "candela": 1})"),
+      "must be [x, y, z]");
+  expectComplaint(with("\"triangles\"", R"("bake_light": 1, "triangles")"), "bake_light");
+}
+
 TEST(PlanLayout, RejectsAWallThatEndsInTheOpen) {
   expectComplaint(with("\"to\": [4, 4]", "\"to\": [4, 3]"), "walls[4] ends in the open");
 }

@@ -79,6 +79,26 @@ TEST_P(FurnishedHouses, HaveThePapersPolygonsAndThankTheMakers) {
   EXPECT_NE(house_.copyright.find("; Chair by "), std::string::npos) << house_.copyright;
 }
 
+TEST_P(FurnishedHouses, HaveThemToBeLitTooAndTheirLampsShine) {
+  const Building house = raiseSample(GetParam().name, 0, kFurnitureFolder, true);
+  std::size_t drawn = 0;
+  for (const Object& object : house.objects) {
+    if (house.materialOf(object).name == "marker") continue;
+    drawn += house.meshOf(object).indices.size() / 3;
+    EXPECT_FALSE(house.materialOf(object).unlit);
+  }
+  const double polygons = GetParam().polygons;
+  EXPECT_NEAR(static_cast<double>(drawn), polygons, 0.01 * polygons);
+  ASSERT_GE(house.lights.size(), GetParam().cells);
+  for (const Light& light : house.lights) {
+    const float height = house.nodes[light.node].world_from_node[3].y;
+    EXPECT_TRUE(height > 0.2f && height < 6.2f) << light.name;
+  }
+  EXPECT_TRUE(wantsBakedLight(GetParam().name));
+}
+
+TEST(Gallery, IsNotLit) { EXPECT_FALSE(wantsBakedLight("gallery")); }
+
 /// Half a metre to either side of the wall, for a walker as wide as the doorway but for its edges.
 Box wayThrough(const PlanStorey& storey, const PlanOpening& opening) {
   const bool along_x =

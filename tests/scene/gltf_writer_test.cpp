@@ -279,6 +279,33 @@ TEST(GltfWriter, SharesOneVertexArrayBetweenManyMeshes) {
   EXPECT_EQ(back.meshes.size(), 100u);
 }
 
+TEST(GltfWriter, WritesNumbersThatManyArraysShareOnce) {
+  Building building;
+  building.materials.resize(1);
+  building.vertex_arrays.assign(2, randomVertices(3, true, true));
+  building.vertex_arrays[1].colors[0] = glm::u16vec4(1, 2, 3, 4);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    building.meshes.push_back({"mesh", i, 0, {0, 1, 2}, {}});
+    building.nodes.push_back({"node", kNone, glm::mat4(1), {}});
+    building.objects.push_back({i, i});
+  }
+  TempFolder folder;
+  const std::vector<std::uint8_t> glb = encodeGlb(building);
+  const Building again = readGltf(folder.file("model.glb", glb));
+  ASSERT_EQ(again.vertex_arrays.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(again.vertex_arrays[i].positions, building.vertex_arrays[i].positions);
+    EXPECT_EQ(again.vertex_arrays[i].colors, building.vertex_arrays[i].colors);
+  }
+  const std::string text(glb.begin(), glb.end());
+  std::size_t accessors = 0;
+  for (std::size_t at = text.find("componentType"); at != std::string::npos;
+       at = text.find("componentType", at + 1)) {
+    ++accessors;
+  }
+  EXPECT_EQ(accessors, 6u) << "positions, normals, texcoords, twice colours, indices";
+}
+
 TEST(GltfReader, IgnoresAnOrderOfObjectsThatDoesNotFit) {
   GltfBuilder builder;
   const int mesh = builder.triangle();
