@@ -108,6 +108,44 @@ TEST_F(Preprocess, CullingIsThePictureOfTheWholeGalleryToThePixel) {
   EXPECT_LT(2 * culled, whole);
 }
 
+// The mean green of the floor's vertices between two values of x, 0…1.
+double floorLight(const Building& building, float from_x, float to_x) {
+  double sum = 0;
+  int count = 0;
+  for (const Object& object : building.objects) {
+    const VertexArrays& vertices = building.vertex_arrays[building.meshOf(object).vertices];
+    for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
+      const glm::vec3& p = vertices.positions[i];
+      if (std::abs(p.y) > 1e-3f || p.x < from_x || p.x > to_x || p.z < 0.5f || p.z > 3.5f) continue;
+      sum += vertices.colors[i].g / 65535.0;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 20);
+  return sum / count;
+}
+
+TEST_F(Preprocess, BakesTheLightThatComesThroughTheWindowsItFound) {
+  TestBuilding test;
+  test.twoRooms({{1.5f, 2.5f, 0, 2.1f}}, {{1, 3, 0.9f, 2.1f}});
+  writeGlb(path("rooms.glb"), test.building);
+  PreprocessParameters parameters = withoutImages();
+  parameters.bake_light = true;
+  const House house = preprocessBuilding(path("rooms.glb"), path("house"), parameters).house;
+  EXPECT_EQ(house.info.parameters.at("bake_light"), "true");
+  for (const Object& object : house.building.objects) {
+    EXPECT_TRUE(house.building.materialOf(object).unlit);
+  }
+  const double at_window = floorLight(house.building, 6.5f, 7.5f);
+  const double at_door = floorLight(house.building, 4.3f, 5.0f);
+  const double beyond = floorLight(house.building, 0.5f, 1.5f);
+  EXPECT_GT(at_window, at_door);
+  EXPECT_GT(at_door, 1.2 * beyond);
+  EXPECT_GT(beyond, 0);
+  std::size_t whole = 0, culled = 0;
+  EXPECT_EQ(largestDifference(house, 60, whole, culled), 0.0);
+}
+
 // The cell of `other` that shares the most of cell `id` at 1.2 m above the ground.
 CellId mostCommonCell(const CellGrid& grid, CellId id, const CellGrid& other) {
   std::map<CellId, int> shared;
