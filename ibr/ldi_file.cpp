@@ -9,6 +9,7 @@
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/zstd_frame.h"
 
 namespace enfilade {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
 constexpr char kMagic[8] = {'E', 'N', 'F', 'L', 'D', 'I', '\r', '\n'};
+constexpr int kCompression = 3;
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 40;  // whose sizes can be added up
 constexpr std::uint32_t kLargestWindow = 65536u * kLdiTile;
 
 struct FileHeader {
@@ -58,16 +61,12 @@ FileHeader readHeader(const std::string& file, std::span<const std::uint8_t> byt
     reject(file, fmt::format("is of format version {}; this program reads version {}",
                              header.version, kLdiFileVersion));
   }
-  const std::uint64_t room = (bytes.size() - sizeof(header)) / 8;
-  if (header.tiles > room || header.samples > room || header.tiles + header.samples > room) {
-    reject(file, fmt::format("is cut short: {} tiles and {} samples do not fit in {} bytes",
-                             header.tiles, header.samples, bytes.size()));
-  }
-  if (sizeof(header) + 8 * (header.tiles + header.samples) != bytes.size()) {
-    reject(file, "is longer than its header says");
+  if (header.tiles > kMostElements || header.samples > kMostElements) {
+    reject(file, fmt::format("has sizes that its bytes cannot hold: {} tiles and {} samples",
+                             header.tiles, header.samples));
   }
   if (checksumOf(bytes) != header.checksum) {
-    reject(file, "is damaged: its checksum does not match");
+    reject(file, "is cut short or damaged: its checksum does not match");
   }
   return header;
 }
@@ -131,8 +130,8 @@ void writeLdi(const std::string& file, const Ldi& ldi) {
   std::memcpy(header.world_from_pixel, &ldi.camera.world_from_pixel,
               sizeof(header.world_from_pixel));
 
-  std::vector<std::uint8_t> bytes(sizeof(header) + 8 * (ldi.tiles.size() + ldi.samples.size()));
-  std::uint8_t* at = bytes.data() + sizeof(header);
+  std::vector<std::uint8_t> payload(8 * (ldi.tiles.size() + ldi.samples.size()));
+  std::uint8_t* at = payload.data();
   for (const LdiTile& tile : ldi.tiles) {
     const FileTile packed{tile.x, tile.y, tile.count};
     std::memcpy(at, &packed, sizeof(packed));
@@ -141,6 +140,9 @@ void writeLdi(const std::string& file, const Ldi& ldi) {
   if (!ldi.samples.empty()) {
     std::memcpy(at, ldi.samples.data(), sizeof(LdiSample) * ldi.samples.size());
   }
+  const std::vector<std::uint8_t> frame = compressFrame(payload, kCompression);
+  std::vector<std::uint8_t> bytes(sizeof(header));
+  bytes.insert(bytes.end(), frame.begin(), frame.end());
   std::memcpy(bytes.data(), &header, sizeof(header));
   header.checksum = checksumOf(bytes);
   std::memcpy(bytes.data(), &header, sizeof(header));
@@ -152,8 +154,11 @@ Ldi readLdi(const std::string& file) {
   const FileHeader header = readHeader(file, bytes);
   Ldi ldi;
   ldi.camera = readCamera(file, header);
+  const std::vector<std::uint8_t> payload =
+      decompressFrame(std::span<const std::uint8_t>(bytes).subspan(sizeof(header)),
+                      8 * (header.tiles + header.samples), file);
   ldi.tiles.resize(header.tiles);
-  const std::uint8_t* at = bytes.data() + sizeof(header);
+  const std::uint8_t* at = payload.data();
   for (LdiTile& tile : ldi.tiles) {
     FileTile packed{};
     std::memcpy(&packed, at, sizeof(packed));

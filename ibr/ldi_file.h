@@ -10,15 +10,16 @@ namespace enfilade {
 ///
 ///     offset  bytes
 ///          0      8  "ENFLDI\r\n"
-///          8      4  version, 1
+///          8      4  version, 2
 ///         12      4  bytes of this header, 144
 ///         16      8  width and height of the window [pixels]
 ///         24     16  number of tiles, number of samples
 ///         40      8  XXH3 of all other bytes of the file, in order
 ///         48     96  camera: center, then world_from_pixel's columns, as doubles
-///        144      8  a tile: x, y (2 bytes each), number of samples (4); by row, then by column
-///        ...      8  a sample: r, g, b, footprint, place (4), as in LdiSample; tile after tile
-inline constexpr std::uint32_t kLdiFileVersion = 1;
+///        144         one Zstandard frame, to the file's end, of:
+///                 8  a tile: x, y (2 bytes each), number of samples (4); by row, then by column
+///                 8  a sample: r, g, b, footprint, place (4), as in LdiSample; tile after tile
+inline constexpr std::uint32_t kLdiFileVersion = 2;
 
 /// Writes `ldi` by way of a temporary name.  The same bytes for the same LDI.  Throws Error
 /// (kMachine).

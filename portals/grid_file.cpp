@@ -1,7 +1,6 @@
 #include "portals/grid_file.h"
 
 #include <xxhash.h>
-#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <cstring>
 
 #include "scene/error.h"
+#include "scene/zstd_frame.h"
 
 namespace enfilade {
 
@@ -66,15 +66,6 @@ std::vector<std::uint8_t> payloadOf(const CellGrid& grid) {
   return payload;
 }
 
-std::vector<std::uint8_t> compress(std::span<const std::uint8_t> payload) {
-  std::vector<std::uint8_t> compressed(ZSTD_compressBound(payload.size()));
-  const std::size_t size = ZSTD_compress(compressed.data(), compressed.size(), payload.data(),
-                                         payload.size(), kCompression);
-  if (ZSTD_isError(size)) throw Error(ErrorKind::kMachine, "zstd", ZSTD_getErrorName(size));
-  compressed.resize(size);
-  return compressed;
-}
-
 struct Header {
   glm::ivec3 size{0};
   glm::vec3 origin{0};
@@ -90,7 +81,8 @@ class GridReader {
 
   CellGrid read() const {
     const Header header = readHeader();
-    const std::vector<std::uint8_t> payload = decompress(2 * header.columns + 4 * header.runs);
+    const std::vector<std::uint8_t> payload =
+        decompressFrame(bytes_.subspan(kHeaderBytes), 2 * header.columns + 4 * header.runs, file_);
     std::vector<std::uint32_t> first(header.columns + 1, 0);
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < header.columns; ++i) {
@@ -143,17 +135,6 @@ class GridReader {
     return header;
   }
 
-  std::vector<std::uint8_t> decompress(std::uint64_t size) const {
-    const auto frame = bytes_.subspan(kHeaderBytes);
-    require(ZSTD_getFrameContentSize(frame.data(), frame.size()) == size,
-            "has a payload of another size than its header says");
-    std::vector<std::uint8_t> payload(size);
-    const std::size_t got =
-        ZSTD_decompress(payload.data(), payload.size(), frame.data(), frame.size());
-    require(!ZSTD_isError(got) && got == size, "has a payload that cannot be decompressed");
-    return payload;
-  }
-
   std::span<const std::uint8_t> bytes_;
   const std::string& file_;
 };
@@ -161,7 +142,7 @@ class GridReader {
 }  // namespace
 
 std::vector<std::uint8_t> encodeGrid(const CellGrid& grid) {
-  const std::vector<std::uint8_t> payload = compress(payloadOf(grid));
+  const std::vector<std::uint8_t> payload = compressFrame(payloadOf(grid), kCompression);
   std::vector<std::uint8_t> bytes(kMagic, kMagic + 8);
   put(bytes, kVersion);
   for (int axis = 0; axis < 3; ++axis) put(bytes, static_cast<std::uint32_t>(grid.size()[axis]));

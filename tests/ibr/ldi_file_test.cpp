@@ -10,6 +10,7 @@
 #include "random_cameras.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/zstd_frame.h"
 
 namespace enfilade {
 namespace {
@@ -27,6 +28,8 @@ class LdiFile : public ::testing::Test {
                 .string();
     writeLdi(file_, ldi_);
     bytes_ = readFile(file_);
+    payload_ = decompressFrame(std::span<const std::uint8_t>(bytes_).subspan(kHeader),
+                               8 * (ldi_.tiles.size() + ldi_.samples.size()), file_);
   }
   ~LdiFile() override { std::filesystem::remove(file_); }
 
@@ -39,6 +42,23 @@ class LdiFile : public ::testing::Test {
   template <class T>
   void put(std::size_t offset, T value) {
     std::memcpy(bytes_.data() + offset, &value, sizeof(T));
+  }
+  template <class T>
+  T payloadAt(std::size_t offset) const {
+    T value;
+    std::memcpy(&value, payload_.data() + offset, sizeof(T));
+    return value;
+  }
+  template <class T>
+  void putInPayload(std::size_t offset, T value) {
+    std::memcpy(payload_.data() + offset, &value, sizeof(T));
+  }
+  /// Puts the payload as it is now behind the header.
+  void pack() {
+    bytes_.resize(kHeader);
+    const std::vector<std::uint8_t> frame = compressFrame(payload_, 3);
+    bytes_.insert(bytes_.end(), frame.begin(), frame.end());
+    seal();
   }
   /// Makes the checksum right, so that what stands behind it is tested.
   void seal() {
@@ -62,6 +82,7 @@ class LdiFile : public ::testing::Test {
   Ldi ldi_;
   std::string file_;
   std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint8_t> payload_;  ///< tiles and samples
 };
 
 TEST_F(LdiFile, GivesBackWhatWasWritten) {
@@ -114,7 +135,7 @@ TEST_F(LdiFile, RejectsATruncatedHeader) {
 TEST_F(LdiFile, RejectsAnotherVersion) {
   put(8, std::uint32_t{kLdiFileVersion + 1});
   seal();
-  expectRejected("is of format version 2; this program reads version 1");
+  expectRejected("is of format version 3; this program reads version 2");
 }
 
 TEST_F(LdiFile, RejectsTruncatedSamples) {
@@ -131,18 +152,43 @@ TEST_F(LdiFile, RejectsEveryLengthButItsOwn) {
   }
   bytes_ = whole;
   bytes_.resize(whole.size() + 8);
-  expectRejected("is longer than its header says");
+  expectRejected("is cut short or damaged");
 }
 
 TEST_F(LdiFile, RejectsHugeSizesBeforeItAllocates) {
   put(24, ~std::uint64_t{0});
   put(32, ~std::uint64_t{0});
   seal();
-  expectRejected("do not fit");
+  expectRejected("cannot hold");
   put(24, std::uint64_t{1} << 63);  // the sum of both is 0
   put(32, std::uint64_t{1} << 63);
   seal();
-  expectRejected("do not fit");
+  expectRejected("cannot hold");
+  put(24, std::uint64_t{1} << 39);
+  put(32, std::uint64_t{1} << 39);
+  seal();
+  expectRejected("cannot hold");
+}
+
+TEST_F(LdiFile, RejectsAPayloadOfAnotherSize) {
+  put(32, at<std::uint64_t>(32) + 1);
+  seal();
+  expectRejected("has a payload of another size than its header says");
+}
+
+TEST_F(LdiFile, RejectsAPayloadThatIsDamagedUnderItsChecksum) {
+  for (std::size_t offset = kHeader + 16; offset < bytes_.size(); offset += 211) {
+    const std::uint8_t was = bytes_[offset];
+    bytes_[offset] ^= 0x40;
+    seal();
+    writeFileAtomically(file_, std::span<const std::uint8_t>(bytes_));
+    try {
+      readLdi(file_);  // some bytes are but another colour
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    }
+    bytes_[offset] = was;
+  }
 }
 
 TEST_F(LdiFile, RejectsAFlippedBitAnywhere) {
@@ -155,7 +201,7 @@ TEST_F(LdiFile, RejectsAFlippedBitAnywhere) {
   }
   bytes_ = whole;
   bytes_.back() ^= 1;
-  expectRejected("is damaged: its checksum does not match");
+  expectRejected("is cut short or damaged: its checksum does not match");
 }
 
 TEST_F(LdiFile, RejectsAHugeWindow) {
@@ -176,40 +222,40 @@ TEST_F(LdiFile, RejectsACameraThatSeesNothing) {
 }
 
 TEST_F(LdiFile, RejectsATileOutsideTheWindow) {
-  put(kHeader, std::uint16_t{60000});
-  seal();
+  putInPayload(0, std::uint16_t{60000});
+  pack();
   expectRejected("that is out of place");
 }
 
 TEST_F(LdiFile, RejectsTilesThatAreNotInOrder) {
-  put(kHeader + 8, at<std::uint32_t>(kHeader));  // the second tile where the first is
-  seal();
+  putInPayload(8, payloadAt<std::uint32_t>(0));  // the second tile where the first is
+  pack();
   expectRejected("that is out of place");
 }
 
 TEST_F(LdiFile, RejectsATileWithoutSamples) {
-  put(kHeader + 4, std::uint32_t{0});
-  seal();
+  putInPayload(4, std::uint32_t{0});
+  pack();
   expectRejected("that is out of place");
 }
 
 TEST_F(LdiFile, RejectsATileWithMoreSamplesThanThereAre) {
-  put(kHeader + 4, std::uint32_t{0xffffffff});
-  seal();
+  putInPayload(4, std::uint32_t{0xffffffff});
+  pack();
   expectRejected("that is out of place");
 }
 
 TEST_F(LdiFile, RejectsSamplesThatBelongToNoTile) {
   put(32, at<std::uint64_t>(32) + 1);
-  bytes_.resize(bytes_.size() + 8);
-  seal();
+  payload_.resize(payload_.size() + 8);
+  pack();
   expectRejected("has samples that belong to no tile");
 }
 
 TEST_F(LdiFile, RejectsSamplesThatAreNotInDepthOrder) {
   ASSERT_GT(ldi_.tiles[0].count, 1u);
-  put(kHeader + 8 * ldi_.tiles.size() + 4, std::uint32_t{0xffffffff});
-  seal();
+  putInPayload(8 * ldi_.tiles.size() + 4, std::uint32_t{0xffffffff});
+  pack();
   expectRejected("not in depth order");
 }
 
