@@ -1,9 +1,6 @@
 #include "render/embree_scene.h"
 
 #include <embree3/rtcore.h>
-#include <tbb/task_arena.h>
-
-#include "scene/error.h"
 
 namespace enfilade {
 namespace {
@@ -66,11 +63,6 @@ EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
                          std::span<const std::uint8_t> hidden,
                          std::span<const std::uint8_t> switched)
     : surfaces_(surfaces) {
-  device_ = rtcNewDevice(nullptr);
-  if (device_ == nullptr) throw Error(ErrorKind::kMachine, "Embree", "cannot be started");
-  scene_ = rtcNewScene(device_);
-  // Watertight: no ray slips through where two triangles meet.
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   filtered_.resize(building.objects.size());
   for (std::uint32_t o = 0; o < building.objects.size(); ++o) {
     const bool is_switched = o < switched.size() && switched[o] != 0;
@@ -80,14 +72,7 @@ EmbreeScene::EmbreeScene(const Building& building, const Surfaces& surfaces,
     if (surfaces_.world().objects[o].count == 0) continue;
     addObject(o, is_switched || needsFilter(surfaces_.material(o)));
   }
-  // On one thread, so that where surfaces coincide the same one is met in every run.
-  tbb::task_arena(1).execute([&] { rtcJoinCommitScene(scene_); });
-  check();
-}
-
-EmbreeScene::~EmbreeScene() {
-  rtcReleaseScene(scene_);
-  rtcReleaseDevice(device_);
+  embree_.commit();
 }
 
 void EmbreeScene::setHidden(std::span<const std::uint8_t> hidden) noexcept {
@@ -97,40 +82,23 @@ void EmbreeScene::setHidden(std::span<const std::uint8_t> hidden) noexcept {
 }
 
 void EmbreeScene::addObject(std::uint32_t object, bool filtered) {
-  const WorldGeometry& world = surfaces_.world();
-  const IndexRange& range = world.objects[object];
-  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             world.vertices.data(), offsetof(WorldVertex, position),
-                             sizeof(WorldVertex), world.vertices.size());
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             world.indices.data(), range.first * sizeof(std::uint32_t),
-                             3 * sizeof(std::uint32_t), range.count / 3);
+  RTCGeometry geometry = embree_.objectGeometry(surfaces_.world(), object);
   if (filtered) {
     rtcSetGeometryUserData(geometry, &filtered_[object]);
     rtcSetGeometryIntersectFilterFunction(geometry, &Filter::run);
   }
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene_, geometry, object);
-  rtcReleaseGeometry(geometry);
-}
-
-void EmbreeScene::check() const {
-  if (rtcGetDeviceError(device_) == RTC_ERROR_NONE) return;
-  rtcReleaseScene(scene_);
-  rtcReleaseDevice(device_);
-  throw Error(ErrorKind::kMachine, "Embree", "has no memory for the geometry");
+  embree_.attach(geometry, object);
 }
 
 void EmbreeScene::intersect(const int* valid, RTCRayHit16& rays, const RayQuery& query,
                             bool coherent) const noexcept {
   Context context = contextOf(query, coherent);
-  rtcIntersect16(valid, scene_, &context.embree, &rays);
+  rtcIntersect16(valid, embree_.scene(), &context.embree, &rays);
 }
 
 void EmbreeScene::intersect(RTCRayHit& ray, const RayQuery& query) const noexcept {
   Context context = contextOf(query, false);
-  rtcIntersect1(scene_, &context.embree, &ray);
+  rtcIntersect1(embree_.scene(), &context.embree, &ray);
 }
 
 }  // namespace enfilade

@@ -4,10 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "render/embree_world.h"
 #include "render/surfaces.h"
 
-struct RTCDeviceTy;
-struct RTCSceneTy;
 struct RTCRayHit;
 struct RTCRayHit16;
 
@@ -27,7 +26,6 @@ class EmbreeScene {
   /// `hidden`, `switched`: see RayCaster.  Keeps references to both.  Throws Error (kMachine).
   EmbreeScene(const Building& building, const Surfaces& surfaces,
               std::span<const std::uint8_t> hidden, std::span<const std::uint8_t> switched);
-  ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
@@ -48,10 +46,8 @@ class EmbreeScene {
   struct Filter;
 
   void addObject(std::uint32_t object, bool filtered);
-  void check() const;
 
-  RTCDeviceTy* device_ = nullptr;
-  RTCSceneTy* scene_ = nullptr;
+  EmbreeWorld embree_;
   const Surfaces& surfaces_;
   std::vector<Filtered> filtered_;  // one an object, at addresses that Embree keeps
 };

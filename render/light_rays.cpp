@@ -1,9 +1,8 @@
 #include "render/light_rays.h"
 
 #include <embree3/rtcore.h>
-#include <tbb/task_arena.h>
 
-#include "scene/error.h"
+#include "render/embree_world.h"
 
 namespace enfilade {
 namespace {
@@ -49,10 +48,6 @@ struct LightRays::Impl {
 
   Impl(const Building& building, std::span<const std::uint8_t> clear,
        std::span<const OneWayScreen> screens);
-  ~Impl() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
 
   void addObject(std::uint32_t object);
   void addScreens(std::span<const OneWayScreen> screens);
@@ -64,8 +59,7 @@ struct LightRays::Impl {
   static void filterScreen(const RTCFilterFunctionNArguments* a);
 
   Surfaces surfaces;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  EmbreeWorld embree;
   std::vector<Filtered> filtered;  // at addresses that Embree keeps
   std::vector<glm::vec3> screen_corners;
   std::vector<std::uint32_t> screen_triangles;
@@ -75,11 +69,6 @@ struct LightRays::Impl {
 LightRays::Impl::Impl(const Building& building, std::span<const std::uint8_t> clear,
                       std::span<const OneWayScreen> screens)
     : surfaces(building) {
-  device = rtcNewDevice(nullptr);
-  if (device == nullptr) throw Error(ErrorKind::kMachine, "Embree", "cannot be started");
-  scene = rtcNewScene(device);
-  // Watertight: no light leaks where two triangles meet.
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   filtered.resize(building.objects.size());
   for (std::uint32_t o = 0; o < building.objects.size(); ++o) {
     filtered[o] = {this, o};
@@ -87,24 +76,11 @@ LightRays::Impl::Impl(const Building& building, std::span<const std::uint8_t> cl
     if (!is_clear && surfaces.world().objects[o].count > 0) addObject(o);
   }
   addScreens(screens);
-  // On one thread, so that where surfaces coincide the same one is met in every run.
-  tbb::task_arena(1).execute([&] { rtcJoinCommitScene(scene); });
-  if (rtcGetDeviceError(device) == RTC_ERROR_NONE) return;
-  rtcReleaseScene(scene);
-  rtcReleaseDevice(device);
-  throw Error(ErrorKind::kMachine, "Embree", "has no memory for the geometry");
+  embree.commit();
 }
 
 void LightRays::Impl::addObject(std::uint32_t object) {
-  const WorldGeometry& world = surfaces.world();
-  const IndexRange& range = world.objects[object];
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             world.vertices.data(), offsetof(WorldVertex, position),
-                             sizeof(WorldVertex), world.vertices.size());
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             world.indices.data(), range.first * sizeof(std::uint32_t),
-                             3 * sizeof(std::uint32_t), range.count / 3);
+  RTCGeometry geometry = embree.objectGeometry(surfaces.world(), object);
   const AlphaMode alpha = surfaces.material(object).alpha_mode;
   glass = glass || alpha == AlphaMode::kBlend;
   if (alpha != AlphaMode::kOpaque) {
@@ -112,9 +88,7 @@ void LightRays::Impl::addObject(std::uint32_t object) {
     rtcSetGeometryIntersectFilterFunction(geometry, &filterSurface);
     rtcSetGeometryOccludedFilterFunction(geometry, &filterSurface);
   }
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, object);
-  rtcReleaseGeometry(geometry);
+  embree.attach(geometry, object);
 }
 
 void LightRays::Impl::addScreens(std::span<const OneWayScreen> screens) {
@@ -131,7 +105,7 @@ void LightRays::Impl::addScreens(std::span<const OneWayScreen> screens) {
   }
   if (screen_triangles.empty()) return;
   screen_corners.emplace_back(0);  // Embree reads 16 bytes for the last corner
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(embree.device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              screen_corners.data(), 0, sizeof(glm::vec3),
                              screen_corners.size() - 1);
@@ -140,9 +114,7 @@ void LightRays::Impl::addScreens(std::span<const OneWayScreen> screens) {
                              screen_triangles.size() / 3);
   rtcSetGeometryIntersectFilterFunction(geometry, &filterScreen);
   rtcSetGeometryOccludedFilterFunction(geometry, &filterScreen);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, static_cast<unsigned int>(filtered.size()));
-  rtcReleaseGeometry(geometry);
+  embree.attach(geometry, static_cast<std::uint32_t>(filtered.size()));
 }
 
 void LightRays::Impl::filterSurface(const RTCFilterFunctionNArguments* a) {
@@ -195,7 +167,7 @@ LightHit LightRays::trace(const glm::vec3& origin, const glm::vec3& unit_directi
   met.ray = rayOf(origin, unit_direction, least, most);
   met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &context.embree, &met);
+  rtcIntersect1(impl_->embree.scene(), &context.embree, &met);
   LightHit hit;
   if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.distance = met.ray.tfar;
@@ -213,7 +185,7 @@ glm::vec3 LightRays::passed(const glm::vec3& origin, const glm::vec3& unit_direc
                             float most) const noexcept {
   Context context = contextOf(1, false, true);
   RTCRay ray = rayOf(origin, unit_direction, least, most);
-  rtcOccluded1(impl_->scene, &context.embree, &ray);
+  rtcOccluded1(impl_->embree.scene(), &context.embree, &ray);
   return ray.tfar < 0 ? glm::vec3(0) : context.passed;
 }
 
