@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
@@ -50,5 +52,23 @@ class EdgeBalance {
 
   std::map<std::pair<Point, Point>, int> balance_;
 };
+
+/// Expects that a room's walls, floor, ceiling and reveals are closed by the quads of its portals.
+/// Returns how many triangles they have.
+inline std::size_t expectClosed(const Building& building, const std::vector<NamedPortal>& portals,
+                                const std::string& room) {
+  EdgeBalance edges;
+  const auto shell = worldTriangles(building, [&](const Object& object) {
+    const std::string& name = building.nodes[object.node].name;
+    return name == room + "-walls" || name == room + "-floor" || name == room + "-ceiling" ||
+           name == room + "-reveals";
+  });
+  for (const WorldTriangle& t : shell) edges.add(t);
+  edges.addPortals(portals, room);
+  for (const auto& [a, b] : edges.open())
+    ADD_FAILURE() << room << " is open from " << a.x << " " << a.y << " " << a.z << " to " << b.x
+                  << " " << b.y << " " << b.z;
+  return shell.size();
+}
 
 }  // namespace enfilade

@@ -10,9 +10,8 @@
 #include "models/patterns.h"
 #include "models/plan_layout.h"
 #include "models/polygon.h"
-#include "models/raise_building.h"
 #include "models/shapes.h"
-#include "scene/error.h"
+#include "tests/models/plan_complaints.h"
 
 namespace enfilade {
 namespace {
@@ -47,23 +46,10 @@ const std::string kPlan = R"json({
 })json";
 
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = kPlan;
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
+  return replacedIn(kPlan, from, to);
 }
 
-/// The complaint about a plan, from reading it to laying it out and raising it.
-std::string complaint(const std::string& text) {
-  try {
-    raiseBuilding(parseFloorPlan(text, "two.json"), 2000, "two.json");
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kBadInput);
-    EXPECT_TRUE(std::string(e.what()).starts_with("two.json: ")) << e.what();
-    return e.what();
-  }
-  return "none";
-}
+std::string complaint(const std::string& text) { return complaintAbout(text, "two.json"); }
 
 void expectComplaint(const std::string& text, const std::string& about) {
   const std::string what = complaint(text);

@@ -9,9 +9,9 @@
 #include "models/polygon.h"
 #include "models/polygon_holes.h"
 #include "models/raise_building.h"
-#include "scene/error.h"
 #include "scene/polygon_triangles.h"
 #include "tests/models/edge_balance.h"
+#include "tests/models/plan_complaints.h"
 
 namespace enfilade {
 namespace {
@@ -47,10 +47,7 @@ const std::string kPlan = R"json({
 })json";
 
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = kPlan;
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
+  return replacedIn(kPlan, from, to);
 }
 
 Building raised(const std::string& text) {
@@ -58,13 +55,8 @@ Building raised(const std::string& text) {
 }
 
 void expectComplaint(const std::string& text, const std::string& about) {
-  try {
-    raised(text);
-    ADD_FAILURE() << "no complaint about: " << about;
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::kBadInput);
-    EXPECT_NE(std::string(e.what()).find(about), std::string::npos) << "it says: " << e.what();
-  }
+  const std::string what = complaintAbout(text, "tower.json");
+  EXPECT_NE(what.find(about), std::string::npos) << "it says: " << what;
 }
 
 TEST(Storeys, BeginWhereTheStoreyBelowEnds) {
@@ -81,17 +73,7 @@ TEST(Storeys, OfRoomsWithWellsAreClosedByTheirPortalsExactly) {
   const auto portals = namedPortals(tower);
   EXPECT_EQ(portals.size(), 6u);
   for (const std::string room : {"hall", "loft", "nook"}) {
-    EdgeBalance edges;
-    const auto shell = worldTriangles(tower, [&](const Object& object) {
-      const std::string& name = tower.nodes[object.node].name;
-      return name == room + "-walls" || name == room + "-floor" || name == room + "-ceiling" ||
-             name == room + "-reveals";
-    });
-    for (const WorldTriangle& t : shell) edges.add(t);
-    edges.addPortals(portals, room);
-    for (const auto& [a, b] : edges.open())
-      ADD_FAILURE() << room << " is open from " << a.x << " " << a.y << " " << a.z << " to " << b.x
-                    << " " << b.y << " " << b.z;
+    expectClosed(tower, portals, room);
   }
 }
 
