@@ -24,6 +24,7 @@ build: configure
 	cmake --build --preset $(PRESET) --target enfilade
 
 test: configure
+	@scripts/setup ffmpeg xdotool xvfb
 	cmake --build --preset $(PRESET)
 	ctest --preset $(PRESET) -j 2
 
