@@ -7,6 +7,24 @@
 
 namespace enfilade {
 
+namespace {
+
+/// The portals that show images, where another eye sees them: whole, from the side of their image.
+void lookFromElsewhere(const CellGraph& graph, const View& view, VisibleSet& set) {
+  std::erase_if(set.portals, [&](const VisiblePortal& seen) {
+    const float before = graph.portals[seen.portal].plane.signedDistance(view.eye);
+    return seen.as_image && (seen.from_front ? before : -before) <= 0;
+  });
+  for (VisiblePortal& seen : set.portals) {
+    if (!seen.as_image) continue;
+    const std::vector<glm::vec3> polygon = screenPolygonOf(graph.portals[seen.portal]).polygon;
+    seen.regions = {clipRegion(view, wholeScreen(view), polygon)};
+    if (seen.regions.front().empty()) seen.regions.clear();
+  }
+}
+
+}  // namespace
+
 FramePainter::FramePainter(GlContext& context, House& house, const PortalImages& images, int width,
                            int height, int threads, ImageSource source)
     : house_(house),
@@ -24,6 +42,12 @@ FramePainter::FramePainter(GlContext& context, House& house, const PortalImages&
     if (method.portal_images)
       makers_.try_emplace(method.method, method, house, objects_, renderer_);
   }
+}
+
+void FramePainter::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  pictures_.resize(width, height);
 }
 
 void FramePainter::buildRays() {
@@ -56,19 +80,20 @@ void FramePainter::prepare(Method method) {
   if (maker != makers_.end()) maker->second.forget();
 }
 
-FrameCost FramePainter::paint(Method method, const Camera& camera,
-                              const std::optional<PortalSide>& as_geometry) {
+FrameCost FramePainter::paint(Method method, const Camera& camera, const PaintOptions& options) {
   if (method == Method::kRaycast) buildRays();
   seen_.clear();
+  set_ = {};
+  renderer_.setWireframe(options.wireframe);
   FrameCost cost;
   const MethodInfo& info = infoOf(method);
   const Stopwatch watch;
   if (method == Method::kRaycast) {
     paintRays(camera, cost);
   } else if (info.by_cells) {
-    paintCells(camera, info, as_geometry, cost);
+    paintCells(camera, info, options, cost);
   } else {
-    paintView(camera, cost);
+    paintView(camera, options, cost);
   }
   cost.frametime_ms = watch.totalMs();
   last_by_rays_ = method == Method::kRaycast;
@@ -76,10 +101,10 @@ FrameCost FramePainter::paint(Method method, const Camera& camera,
   return cost;
 }
 
-void FramePainter::paintView(const Camera& camera, FrameCost& cost) {
+void FramePainter::paintView(const Camera& camera, const PaintOptions& options, FrameCost& cost) {
   Stopwatch watch;
   const View view = camera.view();
-  objects_.inFrustum(view, in_view_);
+  objects_.inFrustum(options.chosen_for.value_or(camera).view(), in_view_);
   cost.cull_ms = watch.lapMs();
   renderer_.begin(width_, height_);
   cost.triangles = renderer_.draw(in_view_.objects, view).triangles;
@@ -128,21 +153,24 @@ VisibleSet FramePainter::cullAndMake(const View& view, const MethodInfo& method,
 }
 
 void FramePainter::paintCells(const Camera& camera, const MethodInfo& method,
-                              const std::optional<PortalSide>& as_geometry, FrameCost& cost) {
+                              const PaintOptions& options, FrameCost& cost) {
   const View view = camera.view();
-  const VisibleSet set = cullAndMake(view, method, as_geometry, cost);
+  const Camera chosen_for = options.chosen_for.value_or(camera);
+  set_ = cullAndMake(chosen_for.view(), method, options.as_geometry, cost);
   Stopwatch watch;
-  objects_.visible(set, in_view_);
+  objects_.visible(set_, in_view_);
+  if (options.chosen_for) lookFromElsewhere(house_.graph, view, set_);
   *cost.cull_ms += watch.lapMs();
-  cost.cells = set.cells.size();
-  cost.portals = set.portals.size();
-  for (const VisiblePortal& portal : set.portals) {
+  cost.cells = set_.cells.size();
+  cost.portals = set_.portals.size();
+  for (const VisiblePortal& portal : set_.portals) {
     seen_.push_back({{portal.portal, portal.from_front}, portal.as_image});
   }
   renderer_.begin(width_, height_);
   double draw_ms = watch.lapMs();
   if (method.portal_images) {
-    pictures_.draw(method, imagesOf(method), set, camera, renderer_, cost);
+    pictures_.draw(method, imagesOf(method), set_, chosen_for.pose.position, camera, renderer_,
+                   cost);
   }
   watch.lapMs();
   cost.triangles = renderer_.draw(in_view_.objects, view).triangles;

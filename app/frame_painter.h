@@ -19,6 +19,15 @@ namespace enfilade {
 /// Where the portals' images come from.
 enum class ImageSource : std::uint8_t { kBaked, kOnDemand };
 
+/// How a frame is made otherwise than its method would make it, to compare or to look into it.
+struct PaintOptions {
+  std::optional<PortalSide> as_geometry = {};  ///< shows no image, however far it is
+  /// What is drawn, and as what, is chosen as for this camera; it is drawn as the frame's camera
+  /// sees it.  No matter to rays.
+  std::optional<Camera> chosen_for = {};
+  bool wireframe = false;  ///< of geometry the edges alone
+};
+
 /// Makes a frame of a walk by any method and tells what it cost.  The same pixels for the same
 /// pose, run after run; on demand, for the same walk since prepare().
 class FramePainter {
@@ -28,6 +37,9 @@ class FramePainter {
   /// but which portals are active.  Throws Error (kMachine).
   FramePainter(GlContext& context, House& house, const PortalImages& images, int width, int height,
                int threads, ImageSource source = ImageSource::kBaked);
+
+  /// Frames are of this size from now on.
+  void resize(int width, int height);
 
   /// How images are warped from now on.
   void setWarping(const Warping& warping) { pictures_.setWarping(warping); }
@@ -41,19 +53,30 @@ class FramePainter {
   /// pay for it, and forgets the images that it made on demand.
   void prepare(Method method);
 
-  /// Paints the frame that `camera` sees and waits until it is done.  The portal side `as_geometry`
-  /// shows no image, however far it is.
-  FrameCost paint(Method method, const Camera& camera,
-                  const std::optional<PortalSide>& as_geometry = {});
+  /// What is warped in place of a layered depth image or reference image from now on: what
+  /// `stand_in` returns for it; nothing: itself.
+  void setStandIn(LdiStandIn stand_in) { pictures_.setStandIn(std::move(stand_in)); }
+
+  /// Paints the frame that `camera` sees and waits until it is done.
+  FrameCost paint(Method method, const Camera& camera, const PaintOptions& options = {});
 
   /// The frame painted last.
   void read(Image& out);
+
+  /// Copies the frame painted last to a window, see Renderer::show().  Not of a frame by rays.
+  void show(const glm::ivec2& window, float left, float right) {
+    renderer_.show(window.x, window.y, left, right);
+  }
 
   /// Its OpenGL depth, row 0 on top.  Of a frame by rays: that of the frame before it.
   void readDepth(std::vector<float>& out) { renderer_.readDepth(out); }
 
   /// The portal sides that it sees; none where the method does not look for portals.
   const std::vector<SeenPortal>& seenPortals() const noexcept { return seen_; }
+
+  /// What the frame painted last sees; its regions are of the camera that it was chosen for.
+  /// Without a cell where the method does not look for them.
+  const VisibleSet& visibleSet() const noexcept { return set_; }
 
   /// Which of its pixels are of portals' images.  The last to read of a frame: depth is lost.
   void readPortalMask(PortalMask& out);
@@ -65,14 +88,19 @@ class FramePainter {
            (static_cast<double>(width_) * height_);
   }
 
+  /// Of each of its pixels whether it counts as uncovered; `mask`: that of the frame.
+  void readUncovered(const PortalMask& mask, std::vector<std::uint8_t>& out) const {
+    pictures_.markUncovered(mask, out);
+  }
+
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }
 
  private:
-  void paintView(const Camera& camera, FrameCost& cost);
+  void paintView(const Camera& camera, const PaintOptions& options, FrameCost& cost);
   void paintRays(const Camera& camera, FrameCost& cost);
-  void paintCells(const Camera& camera, const MethodInfo& method,
-                  const std::optional<PortalSide>& as_geometry, FrameCost& cost);
+  void paintCells(const Camera& camera, const MethodInfo& method, const PaintOptions& options,
+                  FrameCost& cost);
   VisibleSet cull(const View& view, const MethodInfo& method,
                   const std::optional<PortalSide>& as_geometry) const;
   VisibleSet cullAndMake(const View& view, const MethodInfo& method,
@@ -90,6 +118,7 @@ class FramePainter {
   PortalPictures pictures_;
   std::unique_ptr<RayCaster> rays_;
   Image ray_picture_;
+  VisibleSet set_;  ///< of the last frame
   std::vector<SeenPortal> seen_;
   glm::mat4 clip_from_world_{1};  ///< of the frame painted last
   int width_, height_, threads_;

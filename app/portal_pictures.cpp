@@ -68,6 +68,15 @@ PortalPictures::PortalPictures(const House& house, int width, int height, int th
       spans_(static_cast<std::size_t>(height)),
       scratch_(std::make_shared<WarpScratch>()) {}
 
+void PortalPictures::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  spans_.resize(static_cast<std::size_t>(height));
+  pictures_.clear();  // their buffers are of the old size
+  used_ = 0;
+  before_.clear();
+}
+
 void PortalPictures::setWarping(const Warping& warping) {
   warping_ = warping;
   before_.clear();
@@ -141,16 +150,23 @@ void PortalPictures::fillHoles(Method method) {
   if (persist) std::swap(before, now_);
 }
 
-std::size_t PortalPictures::uncoveredPixels(const PortalMask& mask) const noexcept {
+bool PortalPictures::isUncovered(const PortalMask& mask, std::size_t pixel) const noexcept {
   constexpr std::size_t kTold = 254;  // what the mask tells apart
+  const std::size_t picture = mask.of_pixel[pixel];
+  if (picture == 0 || picture > std::min(used_, kTold)) return false;
+  const std::vector<std::uint8_t>& rgba = pictures_[picture - 1].buffer.color.rgba;
+  return !rgba.empty() && rgba[4 * pixel + 3] != kAlphaOfSample;
+}
+
+std::size_t PortalPictures::uncoveredPixels(const PortalMask& mask) const noexcept {
   std::size_t uncovered = 0;
-  for (std::size_t p = 0; p < mask.of_pixel.size(); ++p) {
-    const std::size_t picture = mask.of_pixel[p];
-    if (picture == 0 || picture > std::min(used_, kTold)) continue;
-    const std::vector<std::uint8_t>& rgba = pictures_[picture - 1].buffer.color.rgba;
-    uncovered += !rgba.empty() && rgba[4 * p + 3] != kAlphaOfSample;
-  }
+  for (std::size_t p = 0; p < mask.of_pixel.size(); ++p) uncovered += isUncovered(mask, p);
   return uncovered;
+}
+
+void PortalPictures::markUncovered(const PortalMask& mask, std::vector<std::uint8_t>& out) const {
+  out.resize(mask.of_pixel.size());
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = isUncovered(mask, p);
 }
 
 void PortalPictures::drawWarped(const Picture& picture, const Camera& camera,
@@ -172,19 +188,28 @@ void PortalPictures::drawTexture(const Picture& picture, const Camera& camera,
                                *picture.chosen.texture, camera.clipFromWorld(), key);
 }
 
-void PortalPictures::draw(const MethodInfo& method, const PortalImages& images,
-                          const VisibleSet& set, const Camera& camera, Renderer& renderer,
-                          FrameCost& cost) {
-  Stopwatch watch;
+void PortalPictures::choose(const MethodInfo& method, const PortalImages& images,
+                            const VisibleSet& set, const glm::vec3& eye) {
   used_ = 0;
   for (const VisiblePortal& visible : set.portals) {
     if (!visible.as_image) continue;
     if (used_ == pictures_.size()) pictures_.emplace_back(scratch_);
     Picture& picture = pictures_[used_++];
     picture.portal = &visible;
-    picture.chosen = chooseImages(method, images.side(visible.portal, visible.from_front),
-                                  glm::dvec3(camera.pose.position));
+    picture.chosen =
+        chooseImages(method, images.side(visible.portal, visible.from_front), glm::dvec3(eye));
+    if (!stand_in_) continue;
+    for (std::size_t i = 0; i < picture.chosen.warped_count; ++i) {
+      picture.chosen.warped[i] = stand_in_(*picture.chosen.warped[i]);
+    }
   }
+}
+
+void PortalPictures::draw(const MethodInfo& method, const PortalImages& images,
+                          const VisibleSet& set, const glm::vec3& chosen_for, const Camera& camera,
+                          Renderer& renderer, FrameCost& cost) {
+  Stopwatch watch;
+  choose(method, images, set, chosen_for);
   cost.portals_as_images = used_;
   const bool mapped = method.image_kind == ImageKind::kTexture;
   if (mapped) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -19,6 +20,9 @@ namespace enfilade {
 /// jambs stand before what is too much.
 ScreenPolygon screenPolygonOf(const Portal& portal);
 
+/// Gives an image to warp in place of another; it must live until the next call.
+using LdiStandIn = std::function<const Ldi*(const Ldi& image)>;
+
 /// The way of the portals' images into the frame: warped, or mapped on the portal.
 /// Source: Rafferty, Aliaga, Popescu & Lastra 1998, sec. 3 and 4.
 class PortalPictures {
@@ -26,17 +30,26 @@ class PortalPictures {
   /// `house` must outlive it.  `threads`: that warp, 0: as many as the machine has.
   PortalPictures(const House& house, int width, int height, int threads);
 
+  /// Frames are of this size from now on.
+  void resize(int width, int height);
+
+  /// See FramePainter::setStandIn.
+  void setStandIn(LdiStandIn stand_in) { stand_in_ = std::move(stand_in); }
+
   /// How images are warped from now on.
   void setWarping(const Warping& warping);
 
-  /// Warps what `method` shows of `images` in every portal of `set` that is shown as an image to
-  /// `camera`, and has `renderer` draw it in the portal.  Fills in the times of both and what was
-  /// warped in `cost`.  The same pixels for any number of threads.
+  /// Warps what `method` shows of `images` to an eye at `chosen_for` in every portal of `set` that
+  /// is shown as an image to `camera`, and has `renderer` draw it in the portal.  Fills in the
+  /// times of both and what was warped in `cost`.  The same pixels for any number of threads.
   void draw(const MethodInfo& method, const PortalImages& images, const VisibleSet& set,
-            const Camera& camera, Renderer& renderer, FrameCost& cost);
+            const glm::vec3& chosen_for, const Camera& camera, Renderer& renderer, FrameCost& cost);
 
   /// How many pixels of `mask`, that of the frame drawn last, no sample fell into.
   std::size_t uncoveredPixels(const PortalMask& mask) const noexcept;
+
+  /// The same pixel by pixel: 1 where none fell.
+  void markUncovered(const PortalMask& mask, std::vector<std::uint8_t>& out) const;
 
  private:
   /// One portal's picture of the frame: it has a buffer of its own, so that portals are warped at
@@ -50,6 +63,9 @@ class PortalPictures {
     std::vector<std::vector<glm::vec2>> regions;  ///< [pixels]
     WarpBuffer buffer;
   };
+  void choose(const MethodInfo& method, const PortalImages& images, const VisibleSet& set,
+              const glm::vec3& eye);
+  bool isUncovered(const PortalMask& mask, std::size_t pixel) const noexcept;
   void begin(Picture& picture) const;
   WarpCounts warpRound(const PlanarCamera& desired, std::size_t round);
   void fillHoles(Method method);
@@ -62,6 +78,7 @@ class PortalPictures {
   int width_, height_;
   ThreadTeam team_;
   Warping warping_;
+  LdiStandIn stand_in_;
   HoleFiller filler_;
   std::map<Method, Image> before_;  ///< the warped images of its frame before, if holes persist
   Image now_;                       ///< those of the frame at hand

@@ -19,7 +19,7 @@ std::optional<SwitchJump> measureJump(FramePainter& painter, Method method, cons
       pixels.size() - static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), 0));
   if (count == 0) return std::nullopt;
 
-  painter.paint(method, camera, event.side);
+  painter.paint(method, camera, {event.side});
   painter.read(with_geometry);
   return SwitchJump{method,
                     0,

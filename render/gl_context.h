@@ -7,8 +7,7 @@
 
 namespace enfilade {
 
-/// An OpenGL 3.3 core context without a window.  One thread at a time; current from construction
-/// on.
+/// An OpenGL 3.3 core context.  One thread at a time; current from construction on.
 class GlContext {
  public:
   virtual ~GlContext() = default;
@@ -20,6 +19,13 @@ class GlContext {
  protected:
   GlFunctions gl_;
 };
+
+/// The driver's renderer and version.
+std::string describeDriver(const GlFunctions& gl);
+
+/// Has software drivers (llvmpipe) draw with `threads` threads, 0: as many as the machine has.
+/// The first context of a process decides.
+void chooseDriverThreads(int threads);
 
 /// A software context by OSMesa (llvmpipe) that draws with `threads` threads (0: as many as the
 /// machine has; the first context of a process decides).  Throws Error (kMachine) when the machine

@@ -61,6 +61,7 @@
   X(LinkProgram, LINKPROGRAM)                         \
   X(MultiDrawElements, MULTIDRAWELEMENTS)             \
   X(PixelStorei, PIXELSTOREI)                         \
+  X(PolygonMode, POLYGONMODE)                         \
   X(ReadPixels, READPIXELS)                           \
   X(RenderbufferStorage, RENDERBUFFERSTORAGE)         \
   X(SamplerParameterf, SAMPLERPARAMETERF)             \
@@ -72,6 +73,7 @@
   X(TexSubImage2D, TEXSUBIMAGE2D)                     \
   X(Uniform1f, UNIFORM1F)                             \
   X(Uniform1i, UNIFORM1I)                             \
+  X(Uniform2f, UNIFORM2F)                             \
   X(UniformMatrix4fv, UNIFORMMATRIX4FV)               \
   X(UseProgram, USEPROGRAM)                           \
   X(VertexAttribPointer, VERTEXATTRIBPOINTER)         \

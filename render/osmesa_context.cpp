@@ -3,7 +3,6 @@
 #include <GL/osmesa.h>
 
 #include <array>
-#include <cstdlib>
 
 #include "render/gl_context.h"
 #include "scene/error.h"
@@ -14,7 +13,7 @@ namespace {
 class OsMesaContext final : public GlContext {
  public:
   explicit OsMesaContext(int threads) {
-    chooseThreads(threads);
+    chooseDriverThreads(threads);
     // We draw into framebuffers of our own, so the context's needs no depth and hardly a pixel.
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
@@ -51,23 +50,10 @@ class OsMesaContext final : public GlContext {
     }
   }
 
-  std::string description() const override {
-    const auto text = [&](GLenum name) {
-      return std::string(reinterpret_cast<const char*>(gl_.GetString(name)));
-    };
-    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
-  }
+  std::string description() const override { return describeDriver(gl_); }
 
  private:
   static constexpr int kSide = 8;
-
-  /// llvmpipe rasterises with LP_NUM_THREADS workers beside the calling thread, which waits for
-  /// them; with 0 the calling thread does all.  So one thread is 0 workers, and n threads n.
-  static void chooseThreads(int threads) {
-    if (threads <= 0) return;
-    const int workers = threads == 1 ? 0 : threads;
-    setenv("LP_NUM_THREADS", std::to_string(workers).c_str(), 1);
-  }
 
   OSMesaContext context_ = nullptr;
   std::array<std::uint8_t, 4 * kSide * kSide> pixels_{};

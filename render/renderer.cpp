@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "render/frame_buffer.h"
 #include "render/object_painter.h"
@@ -51,6 +52,8 @@ struct Renderer::Impl {
   ObjectPainter objects;
   PolygonPainter polygons;
   GLint sub_pixel_bits = 4;
+  bool sifting = true;
+  bool wireframe = false;
 };
 
 void Renderer::Impl::begin(int width, int height) {
@@ -82,9 +85,13 @@ Renderer::~Renderer() = default;
 void Renderer::begin(int width, int height) { impl_->begin(width, height); }
 
 DrawCounts Renderer::draw(std::span<const std::uint32_t> objects, const View& view) {
-  return impl_->objects.draw(objects, view.eye,
-                             {upsideDown(view.clip_from_world), impl_->frame().width(),
-                              impl_->frame().height(), impl_->sub_pixel_bits});
+  if (impl_->wireframe) impl_->gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  const DrawCounts counts =
+      impl_->objects.draw(objects, view.eye,
+                          {upsideDown(view.clip_from_world), impl_->frame().width(),
+                           impl_->frame().height(), impl_->sub_pixel_bits});
+  if (impl_->wireframe) impl_->gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  return counts;
 }
 
 void Renderer::drawScreenPolygons(std::span<const ScreenPolygon> polygons, const Image& picture,
@@ -100,7 +107,15 @@ void Renderer::drawTexturedPolygon(std::span<const glm::vec3> polygon,
                                       key);
 }
 
-void Renderer::setSifting(bool sifting) { impl_->objects.setSifting(sifting); }
+void Renderer::setSifting(bool sifting) {
+  impl_->sifting = sifting;
+  impl_->objects.setSifting(sifting && !impl_->wireframe);
+}
+
+void Renderer::setWireframe(bool wireframe) {
+  impl_->wireframe = wireframe;
+  setSifting(impl_->sifting);  // a triangle without a pixel's centre has edges to show
+}
 
 void Renderer::setTextureBias(float levels) {
   impl_->context.makeCurrent();
@@ -109,13 +124,18 @@ void Renderer::setTextureBias(float levels) {
 
 void Renderer::finish() { impl_->gl.Finish(); }
 
-void Renderer::show(int window_width, int window_height) {
+void Renderer::show(int window_width, int window_height, float left, float right) {
   const GlFunctions& gl = impl_->gl;
   impl_->rebind();
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  const auto column = [](float share, int width) {
+    return static_cast<int>(std::lround(share * static_cast<float>(width)));
+  };
+  const int width = impl_->frame().width();
   // A window's row 0 is at the bottom.
-  gl.BlitFramebuffer(0, 0, impl_->frame().width(), impl_->frame().height(), 0, window_height,
-                     window_width, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.BlitFramebuffer(column(left, width), 0, column(right, width), impl_->frame().height(),
+                     column(left, window_width), window_height, column(right, window_width), 0,
+                     GL_COLOR_BUFFER_BIT, GL_LINEAR);
   impl_->rebind();
 }
 

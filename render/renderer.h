@@ -76,11 +76,15 @@ class Renderer {
   /// pixels become one, whose textures are to be as smooth as that one's.
   void setTextureBias(float levels);
 
+  /// Whether draw() draws triangles' edges alone, all of them.
+  void setWireframe(bool wireframe);
+
   /// Waits until all is drawn.
   void finish();
 
-  /// Copies the frame to the context's own framebuffer (a window's), stretched to its size.
-  void show(int window_width, int window_height);
+  /// Copies the frame to the context's own framebuffer (a window's), stretched to its size: of its
+  /// columns the share from `left` to `right`, 0…1.
+  void show(int window_width, int window_height, float left = 0, float right = 1);
 
   void readColor(Image& out);  ///< resized to the frame; never allocates when the size is the same
   void readDepth(std::vector<float>& out);

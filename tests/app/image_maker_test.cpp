@@ -308,5 +308,91 @@ TEST_F(ImageMakerTest, WhatIsKeptIsBoundedAndTheSideSeenLastStays) {
   EXPECT_EQ(maker.images().count(), 0u);
 }
 
+TEST_F(ImagesTest, AResizedPainterPaintsWhatANewOneOfThatSizeDoes) {
+  FramePainter grown(*gl_, *house_, *baked_, 40, 30, 1),
+      fresh(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
+  for (const Method method : kImageMethods) {
+    grown.resize(40, 30);
+    painted(grown, method, camera);
+    grown.resize(kWidth, kHeight);
+    EXPECT_EQ(painted(grown, method, camera).rgba, painted(fresh, method, camera).rgba)
+        << infoOf(method).name;
+  }
+}
+
+TEST_F(ImagesTest, AFrameChosenForItsOwnCameraIsThatFrame) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
+  for (const MethodInfo& method : allMethods()) {
+    const Image own = painted(painter, method.method, camera);
+    painter.paint(method.method, camera, {.chosen_for = camera});
+    Image chosen;
+    painter.read(chosen);
+    EXPECT_EQ(chosen.rgba, own.rgba) << method.name;
+  }
+}
+
+TEST_F(ImagesTest, AFrozenFrameLacksWhatItsCameraDidNotSee) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera frozen = cameraAt(front().texture_fan.viewpoints()[1]);
+  Camera back = frozen;
+  back.pose = lookAt(frozen.pose.position, 2.0f * frozen.pose.position - glm::vec3(4.1f, 1.2f, 2));
+  painter.paint(Method::kCulling, back, {.chosen_for = frozen});
+  Image behind, truth;
+  painter.read(behind);
+  truth = painted(painter, Method::kGeometry, back);
+  EXPECT_NE(behind.rgba, truth.rgba);
+  // From behind its picture an image is not there.
+  Camera beyond = frozen;
+  beyond.pose = lookAt({8.2f - frozen.pose.position.x, 1.6f, 2.0f}, {4.1f, 1.2f, 2.0f});
+  const FrameCost cost = painter.paint(Method::kLdi, beyond, {.chosen_for = frozen});
+  EXPECT_EQ(cost.portals_as_images, 0u);
+}
+
+TEST_F(ImagesTest, WireframesShowLessThanSurfacesAndLeaveNoTrace) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
+  const Image before = painted(painter, Method::kCulling, camera);
+  painter.paint(Method::kCulling, camera, {.wireframe = true});
+  Image wires;
+  painter.read(wires);
+  const auto skyPixels = [](const Image& picture) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      count += std::equal(kSkyColor, kSkyColor + 3, &picture.rgba[i]);
+    }
+    return count;
+  };
+  EXPECT_GT(skyPixels(wires), skyPixels(before) + 1000);
+  EXPECT_LT(skyPixels(wires), std::size_t{kWidth} * kHeight - 100);
+  EXPECT_EQ(painted(painter, Method::kCulling, camera).rgba, before.rgba);
+}
+
+TEST_F(ImagesTest, AStandInIsWarpedInPlaceOfTheImage) {
+  FramePainter painter(*gl_, *house_, *baked_, kWidth, kHeight, 1);
+  const Camera camera = cameraAt(front().texture_fan.viewpoints()[1]);
+  Ldi red = front().ldi;
+  for (LdiSample& sample : red.samples) sample.r = 255, sample.g = sample.b = 0;
+  painter.setStandIn([&](const Ldi& image) { return &image == &front().ldi ? &red : &image; });
+  const Image picture = painted(painter, Method::kLdi, camera);
+  PortalMask mask;
+  painter.readPortalMask(mask);
+  std::vector<std::uint8_t> uncovered;
+  painter.readUncovered(mask, uncovered);
+  std::size_t reds = 0, pixels = 0;
+  for (std::size_t p = 0; p < mask.of_pixel.size(); ++p) {
+    if (mask.of_pixel[p] == 0 || uncovered[p]) continue;
+    ++pixels;
+    reds += picture.rgba[4 * p] == 255 && picture.rgba[4 * p + 1] == 0;
+  }
+  EXPECT_GT(pixels, 500u);
+  EXPECT_EQ(reds, pixels);
+  EXPECT_NEAR(painter.uncoveredPercent(mask),
+              100.0 * static_cast<double>(std::count(uncovered.begin(), uncovered.end(), 1)) /
+                  (kWidth * kHeight),
+              1e-9);
+}
+
 }  // namespace
 }  // namespace enfilade

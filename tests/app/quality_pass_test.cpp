@@ -142,7 +142,7 @@ TEST_F(QualityPass, AFrameWithoutImagesHasNoMask) {
 TEST_F(QualityPass, APortalThatIsToShowGeometryDoesSo) {
   const Image culled = paint(Method::kCulling, 1.0f);
   EXPECT_NE(paint(Method::kLdi, 1.0f).rgba, culled.rgba);
-  painter_->paint(Method::kLdi, camera_, kDoorway);
+  painter_->paint(Method::kLdi, camera_, {kDoorway});
   Image picture;
   painter_->read(picture);
   EXPECT_EQ(picture.rgba, culled.rgba);
