@@ -143,6 +143,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) {
     makeCurrent();
     gl_ = loadGlFunctions(&glfwGetProcAddress);
   } catch (...) {
+    letGoIfCurrent();
     glfwTerminate();
     throw;
   }
@@ -152,6 +153,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) {
 }
 
 GlfwWindow::~GlfwWindow() {
+  letGoIfCurrent();
   glfwDestroyWindow(window_);
   glfwTerminate();
 }
@@ -168,9 +170,9 @@ void GlfwWindow::listen() {
   glfwSetFramebufferSizeCallback(window_, &Callbacks::onSize);
 }
 
-void GlfwWindow::makeCurrent() {
-  if (glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
-}
+void GlfwWindow::take() { glfwMakeContextCurrent(window_); }
+
+void GlfwWindow::letGo() noexcept { glfwMakeContextCurrent(nullptr); }
 
 std::string GlfwWindow::description() const { return describeDriver(gl_); }
 

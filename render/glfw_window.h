@@ -28,7 +28,6 @@ class GlfwWindow final : public GlContext {
   GlfwWindow(const GlfwWindow&) = delete;
   GlfwWindow& operator=(const GlfwWindow&) = delete;
 
-  void makeCurrent() override;
   std::string description() const override;
 
   glm::ivec2 size() const;       ///< of its framebuffer [pixels]; 0 while it is hidden
@@ -58,6 +57,10 @@ class GlfwWindow final : public GlContext {
 
   /// Shows what was drawn into the context's own framebuffer.
   void present();
+
+ protected:
+  void take() override;
+  void letGo() noexcept override;
 
  private:
   struct Callbacks;

@@ -34,26 +34,31 @@ class OsMesaContext final : public GlContext {
       makeCurrent();
       gl_ = loadGlFunctions(&OSMesaGetProcAddress);
     } catch (...) {
-      OSMesaDestroyContext(context_);
+      destroy();
       throw;
     }
   }
 
-  ~OsMesaContext() override { OSMesaDestroyContext(context_); }
-  OsMesaContext(const OsMesaContext&) = delete;
-  OsMesaContext& operator=(const OsMesaContext&) = delete;
+  ~OsMesaContext() override { destroy(); }
 
-  void makeCurrent() override {
-    if (OSMesaGetCurrentContext() == context_) return;
+  std::string description() const override { return describeDriver(gl_); }
+
+ protected:
+  void take() override {
     if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide) != GL_TRUE) {
       throw Error(ErrorKind::kMachine, "OpenGL", "OSMesa cannot make its context current");
     }
   }
 
-  std::string description() const override { return describeDriver(gl_); }
+  void letGo() noexcept override { OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
 
  private:
   static constexpr int kSide = 8;
+
+  void destroy() noexcept {
+    letGoIfCurrent();
+    OSMesaDestroyContext(context_);
+  }
 
   OSMesaContext context_ = nullptr;
   std::array<std::uint8_t, 4 * kSide * kSide> pixels_{};

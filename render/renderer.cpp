@@ -67,6 +67,7 @@ void Renderer::Impl::begin(int width, int height) {
   gl.Disable(GL_BLEND);
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_DITHER);  // on at first, and some GPUs would: a colour is a colour wherever it is
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);  // of coplanar faces the first drawn stays
   gl.DepthMask(GL_TRUE);

@@ -254,6 +254,11 @@ TEST(Renderer, ShowTurnsTheFrameTheWayAWindowHasIt) {
   Building building;
   addQuad(building, rectangle({-9, 0}, {9, 9}, -2), unlitMaterial({1, 0, 0, 1}));
   Renderer renderer(sharedContext(), building);
+  const GlFunctions& gl = sharedContext().gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    GTEST_SKIP() << "this context has no framebuffer of its own";
+  }
   renderer.begin(8, 8);
   renderer.draw(allObjects(building), frontCamera(8, 8).view());
   renderer.show(8, 8);
@@ -261,7 +266,6 @@ TEST(Renderer, ShowTurnsTheFrameTheWayAWindowHasIt) {
   renderer.readColor(still_there);
   EXPECT_EQ(pixelAt(still_there, 3, 0), kRed);
 
-  const GlFunctions& gl = sharedContext().gl();
   std::array<std::uint8_t, 4 * 8 * 8> window{};
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   gl.ReadPixels(0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, window.data());

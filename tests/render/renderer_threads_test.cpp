@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "render/renderer.h"
 #include "scene/file_io.h"
@@ -19,23 +18,6 @@ using namespace test;
 
 constexpr const char* kThreads = "ENFILADE_TEST_THREADS";
 constexpr const char* kFile = "ENFILADE_TEST_FILE";
-
-Building tunnel() {
-  Building building;
-  building.images.push_back({"", checkers(64, 4, {220, 200, 180, 255}, {60, 80, 90, 0}), {}, ""});
-  for (int i = 0; i < 400; ++i) {
-    Material material;
-    material.base_color = {0.2f + 0.001f * static_cast<float>(i), 0.5f, 0.6f, 0.6f};
-    material.image = i % 3 == 0 ? 0 : kNone;
-    material.double_sided = i % 2 == 0;
-    material.alpha_mode = static_cast<AlphaMode>(i % 7 == 0 ? 2 : i % 3 == 0 ? 1 : 0);
-    const auto angle = static_cast<float>(i) * 0.7f;
-    addQuad(building, rectangle({-1, -1}, {1, 1}, -1.5f), material,
-            glm::rotate(glm::translate(glm::mat4(1), {0, 0, -0.1f * static_cast<float>(i)}), angle,
-                        glm::vec3(0.6f, 0.64f, 0.48f)));
-  }
-  return building;
-}
 
 TEST(RendererThreads, WritesItsPictureForTheOtherTest) {
   if (std::getenv(kThreads) == nullptr) GTEST_SKIP() << "is run by the test below";

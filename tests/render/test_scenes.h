@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 #include <numeric>
+#include <string_view>
 #include <vector>
 
 #include "render/renderer.h"
@@ -12,9 +15,12 @@
 
 namespace enfilade::test {
 
-/// The process's one OSMesa context, on two threads.
+/// The process's one context, on two threads: OSMesa's, or EGL's with ENFILADE_TEST_GL=egl.
 inline GlContext& sharedContext() {
-  static const std::unique_ptr<GlContext> context = createOsMesaContext(2);
+  const char* asked = std::getenv("ENFILADE_TEST_GL");
+  const bool egl = asked != nullptr && std::string_view(asked) == "egl";
+  static const std::unique_ptr<GlContext> context =
+      createGlContext(egl ? GlBackend::kEgl : GlBackend::kOsMesa, 2);
   return *context;
 }
 
@@ -71,6 +77,24 @@ inline Image checkers(int size, int square, const glm::ivec4& a, const glm::ivec
     }
   }
   return image;
+}
+
+/// 400 squares one behind another, turned, of every kind of material.
+inline Building tunnel() {
+  Building building;
+  building.images.push_back({"", checkers(64, 4, {220, 200, 180, 255}, {60, 80, 90, 0}), {}, ""});
+  for (int i = 0; i < 400; ++i) {
+    Material material;
+    material.base_color = {0.2f + 0.001f * static_cast<float>(i), 0.5f, 0.6f, 0.6f};
+    material.image = i % 3 == 0 ? 0 : kNone;
+    material.double_sided = i % 2 == 0;
+    material.alpha_mode = static_cast<AlphaMode>(i % 7 == 0 ? 2 : i % 3 == 0 ? 1 : 0);
+    const auto angle = static_cast<float>(i) * 0.7f;
+    addQuad(building, rectangle({-1, -1}, {1, 1}, -1.5f), material,
+            glm::rotate(glm::translate(glm::mat4(1), {0, 0, -0.1f * static_cast<float>(i)}), angle,
+                        glm::vec3(0.6f, 0.64f, 0.48f)));
+  }
+  return building;
 }
 
 inline std::vector<std::uint32_t> allObjects(const Building& building) {
