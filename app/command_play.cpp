@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/gl_option.h"
 #include "app/help_format.h"
 #include "app/playback.h"
 #include "app/progress.h"
@@ -33,6 +34,7 @@ struct PlayOptions {
   std::string shut, open;  ///< portals
   float fov_degrees = 0;   ///< 0: the path's own
   int threads = 0;
+  GlBackend gl = GlBackend::kOsMesa;
   WarpingNames warping;
   PlaybackParameters playback;
 };
@@ -163,7 +165,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
     limit.emplace(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(options.threads));
   }
-  const std::unique_ptr<GlContext> gl = createOsMesaContext(options.threads);
+  const std::unique_ptr<GlContext> gl = createGlContext(options.gl, options.threads);
   FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
   painter.setWarping(warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
@@ -231,6 +233,7 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
       ->type_name("N")
       ->capture_default_str()
       ->check(limits(0, 1024));
+  addGlOption(command, options.gl);
   command
       .add_option("--warm-up", options.playback.warm_up,
                   "Frames painted before the first that counts, for each method")

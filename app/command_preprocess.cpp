@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/gl_option.h"
 #include "app/help_format.h"
 #include "app/progress.h"
 #include "ibr/capture_plan.h"
@@ -27,6 +28,8 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   parameters.images = !options.no_images;
   parameters.image.rings = parseCapturePlan(options.captures);
   parameters.image.bake = parseImageKinds(options.bake);
+  // Before the long work, so that a machine without it says so at once.
+  if (parameters.images && parameters.gl == GlBackend::kEgl) createGlContext(parameters.gl, 1);
   ProgressPrinter progress(quiet);
   const PreprocessResult result =
       preprocessBuilding(options.model, options.output, parameters, progress.sink());
@@ -122,6 +125,7 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
       ->type_name("KINDS")
       ->capture_default_str()
       ->group(kGroup);
+  addGlOption(command, options.parameters.gl)->group(kGroup);
   ImageParameters& image = options.parameters.image;
   addNumber(command, kGroup, "--image-size", image.image_size,
             "Rows of an image of a portal 2.1 m high, others in proportion [pixels]", "PIXELS", 16,

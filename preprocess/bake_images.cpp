@@ -12,7 +12,6 @@
 #include "portals/open_doors.h"
 #include "preprocess/bake_views.h"
 #include "preprocess/work_crew.h"
-#include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene/file_io.h"
 #include "visibility/object_index.h"
@@ -57,9 +56,9 @@ struct Baking {
 /// Bakes one side after another on one thread, with an OpenGL context of its own.
 class SideBaker {
  public:
-  SideBaker(const Baking& baking, int threads_to_draw)
+  SideBaker(const Baking& baking, GlBackend gl, int threads_to_draw)
       : baking_(baking),
-        context_(createOsMesaContext(threads_to_draw)),
+        context_(createGlContext(gl, threads_to_draw)),
         renderer_(*context_, baking.house.building) {}
 
   /// Writes the images of `side` into its folder; their bytes.
@@ -133,23 +132,25 @@ Hands handsFor(int threads, const ImageParameters& parameters) {
 }  // namespace
 
 BakedImages bakeImages(const House& house, const ImageParameters& parameters,
-                       const std::string& folder, int threads, const ProgressSink& progress) {
+                       const std::string& folder, const BakingHands& given,
+                       const ProgressSink& progress) {
   const Baking baking(house, parameters, folder);
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
   std::vector<std::uint64_t> bytes(sides.size());
   std::mutex telling;
   std::size_t done = 0;
-  const Hands hands = handsFor(threads, parameters);
+  const Hands hands = handsFor(given.threads, parameters);
   shareOutJobs(sides.size(), hands.bakers, [&] {
-    return [&, baker = std::make_shared<SideBaker>(baking, hands.drawing)](std::size_t i) {
-      bytes[i] = baker->bake(sides[i]);
-      const std::lock_guard lock(telling);
-      ++done;
-      if (progress) {
-        progress("bake the portals' images",
-                 static_cast<double>(done) / static_cast<double>(sides.size()));
-      }
-    };
+    return
+        [&, baker = std::make_shared<SideBaker>(baking, given.gl, hands.drawing)](std::size_t i) {
+          bytes[i] = baker->bake(sides[i]);
+          const std::lock_guard lock(telling);
+          ++done;
+          if (progress) {
+            progress("bake the portals' images",
+                     static_cast<double>(done) / static_cast<double>(sides.size()));
+          }
+        };
   });
   return {sides.size(), std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0})};
 }

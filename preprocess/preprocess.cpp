@@ -68,6 +68,7 @@ std::map<std::string, std::string> parameterTexts(const PreprocessParameters& p)
                 {"named_only", p.named_only ? "true" : "false"},
                 {"images", p.images ? "true" : "false"},
                 {"bake_light", p.bake_light ? "true" : "false"},
+                {"gl", glBackendName(p.gl)},
                 {"voxel_m", number(p.cells.voxel)},
                 {"slice_height_m", number(p.cells.slice_height)},
                 {"lintel_radius_m", number(p.cells.lintel_radius)},
@@ -214,7 +215,8 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
   if (parameters.images) {
     const std::string stage = "bake the portals' images";
     const BakedImages baked = stages.run(stage, [&] {
-      return bakeImages(result.house, parameters.image, folder, parameters.threads, progress);
+      return bakeImages(result.house, parameters.image, folder, {parameters.gl, parameters.threads},
+                        progress);
     });
     result.images = baked.images;
     result.image_bytes = baked.bytes;

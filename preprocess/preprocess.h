@@ -8,6 +8,7 @@
 #include "preprocess/cell_proposal.h"
 #include "preprocess/object_roles.h"
 #include "preprocess/progress.h"
+#include "render/gl_context.h"
 
 namespace enfilade {
 
@@ -28,8 +29,9 @@ struct PreprocessParameters {
   ImageParameters image;
   float eye_height = 1.6f;  ///< [m] [0.2…3] above the floor
   int rays_per_cell =
-      200000;       ///< [≥ 0] sight lines sampled from every cell to see what its portals show
-  int threads = 0;  ///< [≥ 0] 0: as many as the machine has
+      200000;  ///< [≥ 0] sight lines sampled from every cell to see what its portals show
+  GlBackend gl = GlBackend::kOsMesa;  ///< that draws the images' captures
+  int threads = 0;                    ///< [≥ 0] 0: as many as the machine has
 };
 
 /// How long a stage took.
@@ -48,7 +50,8 @@ struct PreprocessResult {
 /// Reads the model at `model_file`, finds its cells and portals, shares its geometry out to the
 /// cells, bakes the portals' images and writes the house `folder`; house.json last, so that what is
 /// interrupted is no house.  An old house there is replaced; a folder that holds something else is
-/// refused.  The same bytes for the same model and parameters, whatever the threads. Throws Error:
+/// refused.  The same bytes for the same model and parameters, whatever the threads; by
+/// EGL on the same machine. Throws Error:
 /// kBadInput for the model or the graph, kUsage for a graph or other things in the folder, kMachine
 /// for the folder or the machine.
 PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,

@@ -120,6 +120,12 @@ TEST_F(BadInput, ASourceOrAKindOfImagesThatThereIsNot) {
                 "'magic': no such kind of image; there are: texture, warp, ldi");
 }
 
+TEST_F(BadInput, AnOpenGlThatThereIsNot) {
+  expectRefusal({"play", "house", "-o", "new", "--gl", "magic"}, 1,
+                "--gl magic: no such OpenGL; there are: osmesa, egl");
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "--gl", "magic"}, 1, "--gl magic: ");
+}
+
 TEST_F(BadInput, ATourOfAnotherFormat) {
   const Arguments play = {"play", "house", "-o", "new", "--methods", "culling", "--tour"};
   for (const char* tour : {"table.csv", "tour.json", "missing.json", "folder", "model.glb"}) {

@@ -51,7 +51,7 @@ class ImagesTest : public ::testing::Test {
   static void SetUpTestSuite() {
     here_ = std::make_unique<TemporaryFolder>();
     house_ = std::make_unique<House>(colouredHouse());
-    bakeImages(*house_, parametersForAll(), here_->path(), 1, {});
+    bakeImages(*house_, parametersForAll(), here_->path(), {GlBackend::kOsMesa, 1}, {});
     baked_ = std::make_unique<PortalImages>(*house_, here_->path());
     gl_ = createOsMesaContext(1);
   }
