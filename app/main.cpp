@@ -2,6 +2,7 @@
 #include <exception>
 #include <new>
 
+#include "app/interruption.h"
 #include "app/program.h"
 #include "scene/error.h"
 
@@ -11,6 +12,8 @@ int main(int argc, char** argv) {
   } catch (const enfilade::Error& error) {
     enfilade::printError(error.what());
     return static_cast<int>(error.kind());
+  } catch (const enfilade::Interrupted& interrupted) {
+    enfilade::endBy(interrupted);
   } catch (const std::bad_alloc&) {
     enfilade::printError("out of memory");
   } catch (const std::exception& error) {

@@ -1,0 +1,51 @@
+#include "app/interruption.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+
+namespace enfilade {
+
+namespace {
+
+constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+
+volatile std::sig_atomic_t asked = 0;
+
+void remember(int signal) { asked = signal; }
+
+}  // namespace
+
+Interruption::Interruption() {
+  asked = 0;
+  for (const int signal : kSignals) {
+    struct sigaction action {};
+    // What is ignored, as by nohup, stays so.
+    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = &remember;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: what blocks comes back
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+Interruption::~Interruption() {
+  for (const int signal : kSignals) {
+    struct sigaction action {};
+    const bool ours = sigaction(signal, nullptr, &action) == 0 && action.sa_handler == &remember;
+    if (ours) std::signal(signal, SIG_DFL);
+  }
+}
+
+void Interruption::throwIfAsked() {
+  if (asked != 0) throw Interrupted{asked};
+}
+
+void endBy(const Interrupted& interrupted) {
+  std::signal(interrupted.signal, SIG_DFL);
+  std::raise(interrupted.signal);
+  _exit(128 + interrupted.signal);
+}
+
+}  // namespace enfilade
