@@ -9,8 +9,12 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/film.h"
+#include "app/film_options.h"
+#include "app/film_path.h"
 #include "app/gl_option.h"
 #include "app/help_format.h"
+#include "app/interruption.h"
 #include "app/playback.h"
 #include "app/progress.h"
 #include "app/report.h"
@@ -36,6 +40,7 @@ struct PlayOptions {
   int threads = 0;
   GlBackend gl = GlBackend::kOsMesa;
   WarpingNames warping;
+  FilmParameters film;
   PlaybackParameters playback;
 };
 
@@ -116,7 +121,7 @@ PortalImages loadImages(const PlayOptions& options, const House& house, ImageSou
 
 /// `folder` as seen from the report, for the page's pictures.
 std::string relativeTo(const std::string& report, const std::string& folder) {
-  if (folder.empty()) return {};
+  if (folder.empty() || report.empty()) return {};
   const std::filesystem::path base = std::filesystem::absolute(report).lexically_normal();
   return std::filesystem::absolute(folder).lexically_normal().lexically_relative(base).string();
 }
@@ -149,16 +154,60 @@ void writeReport(const Report& report, StagedFolder& folder) {
   folder.commit();
 }
 
+void requireSomeOutput(const PlayOptions& options) {
+  if (!options.output.empty() || !options.film.file.empty()) return;
+  if (!options.playback.frames_dir.empty()) return;
+  throw Error(ErrorKind::kUsage, "",
+              "--output is required, unless --video or --frames-dir says what to make; see "
+              "'enfilade play --help'");
+}
+
+/// The film that is asked for, if one is.  One within the report's folder is staged with it.
+std::optional<Film> filmFor(const PlayOptions& options, const std::optional<StagedFolder>& report,
+                            const glm::ivec2& size) {
+  if (options.film.file.empty()) return std::nullopt;
+  std::string output = options.film.file;
+  const std::string within = relativeTo(options.output, output);
+  if (!within.empty() && !within.starts_with("..")) {
+    output = report->path() + "/" + within;
+    createFolders(std::filesystem::path(output).parent_path().string());
+  }
+  return std::optional<Film>(std::in_place, options.film, output, options.playback.methods, size);
+}
+
+/// What is asked to stop stops at the next frame.
+ProgressSink stoppable(ProgressSink sink) {
+  return [sink = std::move(sink)](const std::string& stage, double done) {
+    Interruption::throwIfAsked();
+    sink(stage, done);
+  };
+}
+
+void playAndFilm(FramePainter& painter, const Walk& walk, const Walk& film_walk,
+                 const PlaybackParameters& parameters, std::optional<Film>& film, bool quiet,
+                 Report& report) {
+  ProgressPrinter progress(quiet);
+  const ProgressSink sink = stoppable(progress.sink());
+  Playback played = playBack(painter, walk, parameters, sink);
+  report.records = std::move(played.records);
+  report.findings = std::move(played.findings);
+  if (film) film->shoot(painter, film_walk, report.records, sink);
+}
+
 void runPlay(PlayOptions options, const CommandContext& context) {
   options.playback.methods = parseMethods(options.methods);
+  requireSomeOutput(options);
   const glm::ivec2 size = parseSize(options.size);
   const ImageSource source = parseImageSource(options.images);
   const Warping warping = parseWarping(options.warping);
+  const Interruption interruption;
+  std::optional<StagedFolder> folder;
+  if (!options.output.empty()) folder.emplace(options.output, "frames.csv");
+  std::optional<Film> film = filmFor(options, folder, size);
   House house = readHouse(options.house);
   moveAskedDoors(options, house);
   const CameraPath path = pathFor(options, house, context.quiet);
   const PortalImages images = loadImages(options, house, source);
-  StagedFolder folder(options.output, "frames.csv");
 
   std::optional<tbb::global_control> limit;
   if (options.threads > 0) {
@@ -169,7 +218,11 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
   painter.setWarping(warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
-  const Walk walk(path, walkingCamera(house, fov, size.x, size.y), house, options.tour);
+  const Camera camera = walkingCamera(house, fov, size.x, size.y);
+  const Walk walk(path, camera, house, options.tour);
+  const CameraPath film_path =
+      film ? filmPath(path, options.film.frames_per_second, options.tour) : path;
+  const Walk film_walk(film_path, camera, house, options.tour);
 
   Report report = describe(options, house, images, path);
   report.command = context.command_line;
@@ -178,14 +231,10 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   report.vertical_fov_degrees = static_cast<double>(glm::degrees(fov));
   report.machine = describeMachine(gl->description());
   if (report.threads == 0) report.threads = report.machine.cores;
-  {
-    ProgressPrinter progress(context.quiet);
-    Playback played = playBack(painter, walk, options.playback, progress.sink());
-    report.records = std::move(played.records);
-    report.findings = std::move(played.findings);
-  }
-  writeReport(report, folder);
-  printResult(reportTable(report) + "report: " + options.output + "/report.html\n");
+  playAndFilm(painter, walk, film_walk, options.playback, film, context.quiet, report);
+  if (folder) writeReport(report, *folder);
+  printResult(reportTable(report) + (film ? film->description() : "") +
+              (folder ? "report: " + options.output + "/report.html\n" : ""));
 }
 
 std::string methodsHelp() {
@@ -268,10 +317,10 @@ void addPlayCommand(CLI::App& program, CommandContext& context) {
   command
       ->add_option("-o,--output", options->output,
                    "The report folder to write: report.html, summary.json, frames.csv, and with "
-                   "--quality contact-sheet.png")
-      ->required()
+                   "--quality contact-sheet.png; required unless --video or --frames-dir is given")
       ->type_name("REPORT");
   addPlayOptions(*command, *options);
+  addFilmOptions(*command, options->film);
   command->callback(
       [options, &context] { context.run = [options, &context] { runPlay(*options, context); }; });
 }

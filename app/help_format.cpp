@@ -35,7 +35,8 @@ std::string entry(const std::string& name, const std::string& text) {
 }
 
 std::string valueName(const CLI::Option& option) {
-  return option.get_type_size() == 0 ? std::string() : " " + option.get_type_name();
+  const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
+  return type.empty() ? type : " " + type;
 }
 
 std::string optionEntry(const CLI::Option& option) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/film_path.h"
 #include "app/walk.h"
 #include "portals/open_doors.h"
 #include "preprocess/tour.h"
@@ -146,6 +147,21 @@ TEST_F(MovingDoor, MovesWhenThePathSaysSoAndStandsThereInEveryPass) {
   }
   const Image before = paint(painter, Method::kCulling, walk.stepTo(2, painter));
   EXPECT_EQ(before.rgba, shown(false, Method::kCulling).rgba) << "stepping back";
+}
+
+TEST_F(MovingDoor, MovesAtItsTimeInAFilmOfAnyFramesASecond) {
+  CameraPath path;
+  for (int i = 0; i < 4; ++i) path.poses.push_back({1.0 * i, camera_.pose});
+  path.doors = {{0.9, "0", false}, {2.0, "0", true}};
+  const CameraPath film = filmPath(path, 4, "tour.json");
+  const Walk walk(film, camera_, house_, "tour.json");
+  FramePainter painter(*gl_, house_, none_, kWidth, kHeight, 1);
+  ASSERT_EQ(walk.frames(), 13u);
+  for (std::size_t frame = 0; frame < walk.frames(); ++frame) {
+    const Image picture = paint(painter, Method::kCulling, walk.stepTo(frame, painter));
+    const bool open = frame < 4 || frame >= 8;
+    EXPECT_EQ(picture.rgba, shown(open, Method::kCulling).rgba) << "frame " << frame;
+  }
 }
 
 TEST_F(MovingDoor, MovesInEveryPortalThatItStandsIn) {
