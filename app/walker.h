@@ -6,12 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "portals/house.h"
+#include "app/walk_ground.h"
 #include "scene/camera.h"
 
 namespace enfilade {
-
-class WalkGround;
 
 /// What a person presses: a direction in the camera's frame.
 struct Stride {
@@ -41,7 +39,7 @@ class Walker {
   /// others; when flying, or where there is no place at all, exactly there.
   void place(const glm::vec3& eye);
 
-  /// Stands at the cell's best place and looks at what is most worth it, see WalkGround::CellSpot.
+  /// Stands at the cell's best place and looks at what is most worth it, see CellSpot.
   /// False: nobody can stand there.  Then the walker flies in the cell's middle.
   bool placeInCell(CellId cell);
 
@@ -75,24 +73,33 @@ class Walker {
   const WalkGround& ground() const noexcept { return *ground_; }
 
  private:
-  void stand(std::uint32_t spot, const glm::vec2& at);
-  void accelerate(const Stride& stride, float seconds, glm::vec3& way);
-  void walk(const glm::vec2& way, float seconds);
+  struct Room {
+    float distance = 0;  // [m] to what stops one
+    glm::vec2 away{0};   // where it grows, as far as it does
+  };
+
+  void stand(SpotId spot);
+  glm::vec3 accelerate(const glm::vec3& wish, float seconds);
+  glm::vec3 wishOf(const Stride& stride) const;
+  void walk(const glm::vec2& way);
   void walkShort(const glm::vec2& way);
   bool tryMove(const glm::vec2& to);
-  void follow(float seconds);
   void fly(const glm::vec3& way);
+  void followFloor(float seconds);
+  float eyeTarget() const noexcept;
+  float doorDistance(const glm::vec2& at) const noexcept;
+  float roomAt(SpotId spot, const glm::vec2& at) const noexcept;
+  Room roomAround() const noexcept;
+  glm::vec2 at() const noexcept { return {eye_.x, eye_.z}; }
 
   std::shared_ptr<const WalkGround> ground_;
-  std::vector<std::uint8_t> open_;       ///< one a portal
-  std::vector<std::uint32_t> barriers_;  ///< of the ground: the shut ones
+  std::vector<PortalId> shut_;
   Gait gait_;
   glm::vec3 eye_{0};
   glm::vec3 velocity_{0};
   float yaw_ = 0, pitch_ = 0;
   bool flying_ = false;
-  std::uint32_t spot_ = 0xffffffffu;  ///< where one stands
-  float climb_ = 0;                   ///< [m/s] of the eye, up
+  SpotId spot_ = kNoSpot;  // where one stands; kNoSpot when flying
 };
 
 }  // namespace enfilade

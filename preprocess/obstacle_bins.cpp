@@ -49,7 +49,8 @@ ObstacleBins::ObstacleBins(const House& house, float bin) : bin_(bin) {
   if (bounds.empty()) return;
   origin_ = {bounds.min.x, bounds.min.z};
   size_ = glm::ivec2(glm::floor((glm::vec2(bounds.max.x, bounds.max.z) - origin_) / bin_)) + 1;
-  forEachObstacle(house, [&](const WorldTriangle& t) { triangles_.push_back(t); });
+  forEachObstacle(house, DoorsStand::kAsTheyAre,
+                  [&](const WorldTriangle& t) { triangles_.push_back(t); });
   const auto eachBin = [&](const WorldTriangle& t, const auto& visit) {
     const glm::vec3 least = glm::min(t[0], glm::min(t[1], t[2]));
     const glm::vec3 most = glm::max(t[0], glm::max(t[1], t[2]));

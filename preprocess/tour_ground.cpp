@@ -18,8 +18,12 @@ constexpr float kFarInside = 5.5f;       // [m] walked from a target: a large ro
 constexpr float kFarClearance = 0.35f;   // [m] tighter places call for no target
 constexpr std::size_t kMostTargets = 6;  // of one cell
 
-// The number of rooms and of spots in each part; the exterior is no room.
-int richestPart(const WalkGrid& grid, const std::vector<int>& parts) {
+// The part with the most rooms, then the most spots, −1 without any; the exterior is no room.
+struct RichestPart {
+  int part = -1;
+  std::size_t rooms = 0;
+};
+RichestPart richestPart(const WalkGrid& grid, const std::vector<int>& parts) {
   int count = 0;
   for (const int part : parts) count = std::max(count, part + 1);
   std::vector<std::set<CellId>> rooms(static_cast<std::size_t>(count));
@@ -30,23 +34,23 @@ int richestPart(const WalkGrid& grid, const std::vector<int>& parts) {
     ++sizes[part];
     if (grid.cell[s] != kExterior && grid.cell[s] != kNoCell) rooms[part].insert(grid.cell[s]);
   }
-  int best = -1;
-  for (int p = 0; p < count; ++p) {
-    const auto rank = [&](int q) {
-      const auto i = static_cast<std::size_t>(q);
-      return std::pair(rooms[i].size(), sizes[i]);
-    };
-    if (best < 0 || rank(p) > rank(best)) best = p;
+  RichestPart best;
+  std::pair<std::size_t, std::size_t> most{0, 0};
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    const std::pair rank(rooms[p].size(), sizes[p]);
+    if (best.part >= 0 && rank <= most) continue;
+    best = {static_cast<int>(p), rooms[p].size()};
+    most = rank;
   }
   return best;
 }
 
 // The middle of each cell's spots, x and z.
-std::vector<glm::vec2> middles(const WalkGrid& grid, const TourGround& ground) {
+std::vector<glm::vec2> middles(const WalkGrid& grid, const std::function<bool(SpotId)>& holds) {
   std::vector<glm::dvec2> sums(grid.cell_count, glm::dvec2(0));
   std::vector<double> counts(grid.cell_count, 0);
   for (SpotId s = 0; s < grid.spotCount(); ++s) {
-    if (!ground.holds(s) || grid.cell[s] == kNoCell) continue;
+    if (!holds(s) || grid.cell[s] == kNoCell) continue;
     sums[grid.cell[s]] += glm::dvec2(grid.centerOf(s));
     counts[grid.cell[s]] += 1;
   }
@@ -124,27 +128,41 @@ void addFarTargets(const WalkGrid& grid, TourGround& ground) {
 
 }  // namespace
 
-TourGround findGround(const House& house, const WalkGrid& grid) {
-  TourGround ground;
-  ground.parts = connectedParts(grid, kNarrowestClearance);
-  ground.part = richestPart(grid, ground.parts);
-  if (ground.part < 0) {
-    throw Error(ErrorKind::kBadInput, house.info.model_name,
-                "there is nowhere to stand: no floor with head room");
-  }
-  ground.target.assign(grid.cell_count, kNoSpot);
+std::vector<SpotId> bestSpots(const WalkGrid& grid, const std::function<bool(SpotId)>& holds) {
+  std::vector<SpotId> spots(grid.cell_count, kNoSpot);
   std::vector<float> best(grid.cell_count, -std::numeric_limits<float>::infinity());
-  const std::vector<glm::vec2> middle = middles(grid, ground);
+  const std::vector<glm::vec2> middle = middles(grid, holds);
   for (SpotId s = 0; s < grid.spotCount(); ++s) {
     const CellId cell = grid.cell[s];
-    if (!ground.holds(s) || cell == kNoCell || cell == kExterior) continue;
+    if (!holds(s) || cell == kNoCell || cell == kExterior) continue;
     const float score = std::min(grid.clearance[s], kRoomy) -
                         kCentral * glm::length(grid.centerOf(s) - middle[cell]);
     if (score > best[cell]) {
       best[cell] = score;
-      ground.target[cell] = s;
+      spots[cell] = s;
     }
   }
+  return spots;
+}
+
+TourGround richestGround(const WalkGrid& grid) {
+  TourGround ground;
+  ground.parts = connectedParts(grid, kNarrowestClearance);
+  ground.part = richestPart(grid, ground.parts).part;
+  return ground;
+}
+
+std::size_t roomsReached(const WalkGrid& grid) {
+  return richestPart(grid, connectedParts(grid, kNarrowestClearance)).rooms;
+}
+
+TourGround findGround(const House& house, const WalkGrid& grid) {
+  TourGround ground = richestGround(grid);
+  if (ground.part < 0) {
+    throw Error(ErrorKind::kBadInput, house.info.model_name,
+                "there is nowhere to stand: no floor with head room");
+  }
+  ground.target = bestSpots(grid, [&](SpotId s) { return ground.holds(s); });
   ground.target[kExterior] = placeOutside(house, grid, ground);
   const bool none = std::all_of(ground.target.begin(), ground.target.end(),
                                 [](SpotId target) { return target == kNoSpot; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "preprocess/walk_grid.h"
@@ -15,6 +16,16 @@ struct TourGround {
 
   bool holds(SpotId s) const noexcept { return parts[s] == part; }
 };
+
+/// Of each cell the spot, of those that `holds` accepts, with the most room around that is not far
+/// from the cell's middle; kNoSpot where there is none, and for the exterior.
+std::vector<SpotId> bestSpots(const WalkGrid& grid, const std::function<bool(SpotId)>& holds);
+
+/// The part alone, −1 if there is nowhere to stand; no targets.
+TourGround richestGround(const WalkGrid& grid);
+
+/// The number of rooms in it.
+std::size_t roomsReached(const WalkGrid& grid);
 
 /// Throws Error (kBadInput) if there is nowhere to stand.
 TourGround findGround(const House& house, const WalkGrid& grid);

@@ -124,9 +124,11 @@ class Rasteriser {
 
 }  // namespace
 
-void forEachObstacle(const House& house, const std::function<void(const WorldTriangle&)>& visit) {
+void forEachObstacle(const House& house, DoorsStand doors,
+                     const std::function<void(const WorldTriangle&)>& visit) {
   const Building& building = house.building;
-  const std::vector<std::uint8_t> open = openDoors(house);
+  const std::vector<std::uint8_t> open =
+      doors == DoorsStand::kAllOpen ? doorFlags(house.object_roles) : openDoors(house);
   for (std::size_t o = 0; o < building.objects.size(); ++o) {
     if (o < open.size() && open[o]) continue;
     const Object& object = building.objects[o];
@@ -144,7 +146,7 @@ void forEachObstacle(const House& house, const std::function<void(const WorldTri
   }
 }
 
-WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds) {
+WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds, DoorsStand doors) {
   WalkColumns columns;
   if (bounds.empty()) return columns;
   columns.pitch = pitch;
@@ -154,7 +156,7 @@ WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds)
   columns.spans.resize(static_cast<std::size_t>(columns.size.x) *
                        static_cast<std::size_t>(columns.size.y));
   Rasteriser rasteriser(columns);
-  forEachObstacle(house, [&](const WorldTriangle& t) { rasteriser.add(t); });
+  forEachObstacle(house, doors, [&](const WorldTriangle& t) { rasteriser.add(t); });
   return columns;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <vector>
@@ -12,9 +13,16 @@ namespace enfilade {
 
 using WorldTriangle = std::array<glm::vec3, 3>;
 
-/// Calls `visit` with every triangle, in the world, that a walker cannot pass: all but doors.
+/// Which doors a walker finds open.
+enum class DoorsStand : std::uint8_t {
+  kAsTheyAre,  ///< all but those whose portals are shut
+  kAllOpen,
+};
+
+/// Calls `visit` with every triangle, in the world, that a walker cannot pass: all but open doors.
 /// In increasing order of object, then of triangle; corners that are no numbers are left out.
-void forEachObstacle(const House& house, const std::function<void(const WorldTriangle&)>& visit);
+void forEachObstacle(const House& house, DoorsStand doors,
+                     const std::function<void(const WorldTriangle&)>& visit);
 
 /// A stretch of a column that surfaces fill.
 struct SolidSpan {
@@ -43,6 +51,7 @@ struct WalkColumns {
 /// Clips every obstacle triangle to the columns that it touches, over the ground of `bounds`.
 /// Slopes of more than 50 degrees, walls aside, are too steep. Source: the solid heightfield of
 /// Mononen's Recast (rcRasterizeTriangles).
-WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds);
+WalkColumns rasteriseColumns(const House& house, float pitch, const Box& bounds,
+                             DoorsStand doors = DoorsStand::kAsTheyAre);
 
 }  // namespace enfilade

@@ -155,12 +155,13 @@ void link(WalkGrid& grid) {
   }
 }
 
-void labelCells(const House& house, WalkGrid& grid) {
+void labelCells(const House& house, DoorsStand doors, WalkGrid& grid) {
   grid.cell_count = house.graph.cells.size();
   grid.joined.assign(grid.cell_count * grid.cell_count, 0);
   for (const Portal& portal : house.graph.portals) {
     const bool known = portal.front < grid.cell_count && portal.back < grid.cell_count;
-    if (!known || !portal.active) continue;
+    const bool open = portal.active || doors == DoorsStand::kAllOpen;
+    if (!known || !open) continue;
     grid.joined[portal.front * grid.cell_count + portal.back] = 1;
     grid.joined[portal.back * grid.cell_count + portal.front] = 1;
   }
@@ -223,7 +224,7 @@ SpotId WalkGrid::neighbour(SpotId spot, int direction) const noexcept {
 }
 
 WalkGrid buildWalkGrid(const House& house, const WalkColumns& columns, const WalkLimits& limits,
-                       float ground) {
+                       DoorsStand doors, float ground) {
   WalkGrid grid;
   grid.limits = limits;
   grid.origin = columns.origin;
@@ -235,7 +236,7 @@ WalkGrid buildWalkGrid(const House& house, const WalkColumns& columns, const Wal
   flatten(spots, grid);
   link(grid);
   measureClearance(grid);
-  labelCells(house, grid);
+  labelCells(house, doors, grid);
   return grid;
 }
 

@@ -38,7 +38,8 @@ struct WalkGrid {
   std::vector<std::array<SpotId, 4>> links;  ///< of each spot: one step along +x, +z, −x, −z
   std::vector<CellId> cell;  ///< of each spot: where its eye is; kNoCell where too narrow
 
-  std::vector<std::uint8_t> joined;  ///< cells × cells: 1 where an open portal joins them
+  std::vector<std::uint8_t>
+      joined;  ///< cells × cells: 1 where a portal that stands open joins them
   std::size_t cell_count = 0;
 
   std::size_t spotCount() const noexcept { return column.size(); }
@@ -72,6 +73,7 @@ inline constexpr float kNarrowestClearance = 0.12f;
 /// the exterior has a floor at that height, under whatever floors are there.
 /// Source: filtering and distance field as in Mononen's Recast.
 WalkGrid buildWalkGrid(const House& house, const WalkColumns& columns, const WalkLimits& limits,
+                       DoorsStand doors = DoorsStand::kAsTheyAre,
                        float ground = std::numeric_limits<float>::quiet_NaN());
 
 }  // namespace enfilade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/walk_ground.h"
+#include "preprocess/tour_ground.h"
+
+namespace enfilade {
+
+/// Of each spot whether one can walk from it and it is part of a floor: with clearance, and in a
+/// connected part that holds a good share of its cell's spots, as tables and wardrobes don't.
+std::vector<std::uint8_t> floorSpots(const WalkGrid& grid, const std::vector<int>& parts);
+
+/// The best spot of each cell among those on floors.
+std::vector<CellSpot> cellSpots(const House& house, const WalkGrid& grid, const TourGround& ground,
+                                std::span<const std::uint8_t> on_floor);
+
+/// The exterior if it has a spot, or the cell with the largest floor that has one.
+CellId startCellOf(const House& house, std::span<const CellSpot> spots);
+
+}  // namespace enfilade
