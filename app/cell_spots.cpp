@@ -13,6 +13,7 @@ namespace {
 constexpr float kFloorShare = 0.25f;   // of the spots of the cell's largest part
 constexpr float kTooNear = 1.2f;       // [m] a portal this near shows little
 constexpr float kEntranceNear = 8.0f;  // [m] from the place outside
+constexpr float kFarOutside = 0.1f;    // [1/m] of clearance given up to be near the building
 constexpr int kTries = 8;              // places looked at along each side of a cell
 
 float yawToward(const glm::vec3& eye, const glm::vec3& target) {
@@ -79,10 +80,37 @@ glm::vec3 middleOf(const House& house, CellId cell) {
   return best;
 }
 
+// Where there is no entrance: the roomiest place that is not far from the building's middle.
+SpotId roomiestOutside(const WalkGrid& grid, const Box& building,
+                       std::span<const std::uint8_t> on_floor) {
+  SpotId best = kNoSpot;
+  float most = 0;
+  for (SpotId s = 0; s < grid.spotCount(); ++s) {
+    if (on_floor[s] == 0 || grid.cell[s] != kExterior) continue;
+    const float score =
+        grid.clearance[s] - kFarOutside * planDistance(grid.eyeOf(s), building.center());
+    if (best != kNoSpot && score <= most) continue;
+    best = s;
+    most = score;
+  }
+  return best;
+}
+
 // Away from the building, whose front is taken to be its +z side.
 glm::vec3 viewpointOutside(const Box& building) {
   if (building.empty()) return glm::vec3(0);
   return building.center() + glm::vec3(0, 0, 0.75f * building.size().z + 3.0f);
+}
+
+CellSpot spotOutside(const House& house, const WalkGrid& grid, const TourGround& ground,
+                     std::span<const std::uint8_t> on_floor) {
+  const Box building = worldBounds(house.building);
+  CellSpot outside;
+  if (ground.part >= 0) outside.spot = placeOutside(house, grid, ground);
+  if (outside.spot == kNoSpot) outside.spot = roomiestOutside(grid, building, on_floor);
+  outside.eye = outside.spot == kNoSpot ? viewpointOutside(building) : grid.eyeOf(outside.spot);
+  outside.yaw = yawFromOutside(house, outside.eye, building);
+  return outside;
 }
 
 }  // namespace
@@ -106,34 +134,28 @@ std::vector<std::uint8_t> floorSpots(const WalkGrid& grid, const std::vector<int
 std::vector<CellSpot> cellSpots(const House& house, const WalkGrid& grid, const TourGround& ground,
                                 std::span<const std::uint8_t> on_floor) {
   const std::vector<SpotId> best = bestSpots(grid, [&](SpotId s) { return on_floor[s] != 0; });
-  const Box building = worldBounds(house.building);
-  std::vector<CellSpot> spots(house.graph.cells.size());
-  for (CellId cell = 0; cell < spots.size(); ++cell) {
-    CellSpot& spot = spots[cell];
-    if (cell == kExterior) {
-      spot.spot = ground.part < 0 ? kNoSpot : placeOutside(house, grid, ground);
-      spot.eye = spot.spot == kNoSpot ? viewpointOutside(building) : grid.eyeOf(spot.spot);
-      spot.yaw = yawFromOutside(house, spot.eye, building);
-      continue;
-    }
+  std::vector<CellSpot> spots{spotOutside(house, grid, ground, on_floor)};
+  for (CellId cell = kExterior + 1; cell < house.graph.cells.size(); ++cell) {
+    const Cell& room = house.graph.cells[cell];
+    CellSpot& spot = spots.emplace_back();
     spot.spot = best[cell];
     spot.eye = spot.spot == kNoSpot ? middleOf(house, cell) : grid.eyeOf(spot.spot);
-    const Portal* portal = largestPortal(house, house.graph.cells[cell], spot.eye);
-    spot.yaw = portal != nullptr ? yawToward(spot.eye, portal->center())
-                                 : yawAlong(house.graph.cells[cell].bounds, spot.eye);
+    const Portal* portal = largestPortal(house, room, spot.eye);
+    spot.yaw =
+        portal != nullptr ? yawToward(spot.eye, portal->center()) : yawAlong(room.bounds, spot.eye);
   }
   return spots;
 }
 
-CellId startCellOf(const House& house, std::span<const CellSpot> spots) {
+CellId startCellOf(const House& house, const TourGround& ground, std::span<const CellSpot> spots) {
+  if (spots.empty()) return kExterior;
+  const SpotId outside = spots[kExterior].spot;
+  if (outside != kNoSpot && ground.holds(outside)) return kExterior;
   CellId best = kExterior;
-  for (CellId cell = 0; cell < spots.size(); ++cell) {
+  for (CellId cell = kExterior + 1; cell < spots.size(); ++cell) {
     if (spots[cell].spot == kNoSpot) continue;
-    if (cell == kExterior) break;
-    const bool first = spots[best].spot == kNoSpot;
-    if (first || house.graph.cells[cell].floor_area > house.graph.cells[best].floor_area) {
-      best = cell;
-    }
+    const float area = house.graph.cells[cell].floor_area;
+    if (best == kExterior || area > house.graph.cells[best].floor_area) best = cell;
   }
   return best;
 }

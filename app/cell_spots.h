@@ -13,11 +13,13 @@ namespace enfilade {
 /// connected part that holds a good share of its cell's spots, as tables and wardrobes don't.
 std::vector<std::uint8_t> floorSpots(const WalkGrid& grid, const std::vector<int>& parts);
 
-/// The best spot of each cell among those on floors.
+/// The best spot of each cell among those on floors; of the exterior the one before the entrance of
+/// the ground's part, if it has one.
 std::vector<CellSpot> cellSpots(const House& house, const WalkGrid& grid, const TourGround& ground,
                                 std::span<const std::uint8_t> on_floor);
 
-/// The exterior if it has a spot, or the cell with the largest floor that has one.
-CellId startCellOf(const House& house, std::span<const CellSpot> spots);
+/// The exterior if its spot leads to rooms, or the cell with the largest floor that has a spot, or
+/// else the exterior.
+CellId startCellOf(const House& house, const TourGround& ground, std::span<const CellSpot> spots);
 
 }  // namespace enfilade

@@ -64,7 +64,7 @@ WalkGround::WalkGround(const House& house)
   const TourGround ground = richestGround(grid_);
   on_floor_ = floorSpots(grid_, ground.parts);
   spots_ = cellSpots(house, grid_, ground, on_floor_);
-  start_ = startCellOf(house, spots_);
+  start_ = startCellOf(house, ground, spots_);
 }
 
 SpotId WalkGround::nearestSpot(const glm::vec3& eye) const {

@@ -166,7 +166,9 @@ void Walker::walk(const glm::vec2& way) {
 void Walker::walkShort(const glm::vec2& way) {
   const Room room = roomAround();
   const float lack = std::clamp((kBody - room.distance) / kShoulder, 0.0f, 1.25f);
-  const glm::vec2 pushed = way + kPush * lack * glm::length(way) * room.away;
+  const float length = glm::length(way);
+  glm::vec2 pushed = way + kPush * lack * length * room.away;
+  pushed *= std::min(1.0f, length / std::max(glm::length(pushed), 1e-9f));
   if (tryMove(at() + pushed)) return;
   const float steep = glm::length(room.away);
   if (steep > 0) {

@@ -3,38 +3,17 @@
 #include <filesystem>
 #include <string>
 
+#include "model_house.h"
 #include "models/samples.h"
-#include "preprocess/authored_names.h"
-#include "preprocess/cell_proposal.h"
-#include "preprocess/cut_cells.h"
 #include "preprocess/tour.h"
 #include "preprocess/tour_check.h"
-#include "preprocess/voxel_grid.h"
 #include "scene/gltf_reader.h"
 #include "scene/gltf_writer.h"
 
 namespace enfilade {
 namespace {
 
-House houseOf(Building building, const std::string& doors, const std::string& windows) {
-  House house;
-  const AuthoredNames names = takeAuthoredNames(building);
-  house.building = std::move(building);
-  for (const Object& object : house.building.objects) {
-    ObjectRole role = ObjectRole::kFixed;
-    if (matchesName(house.building, object, doors)) role = ObjectRole::kDoor;
-    if (matchesName(house.building, object, windows)) role = ObjectRole::kGlass;
-    house.object_roles.push_back(role);
-  }
-  const VoxelGrid voxels = voxelise(house.building, house.object_roles, 0.1f);
-  const CellProposal proposal = names.empty()
-                                    ? findCells(house.building, house.object_roles, voxels, {})
-                                    : authoredCells(names, voxels);
-  const CutCells cut = cutCells(voxels, proposal);
-  house.graph = cut.graph;
-  house.grid = cut.grid;
-  return house;
-}
+using testing::houseOf;
 
 void expectWhole(const House& house, const Tour& tour, std::size_t frames) {
   EXPECT_EQ(tour.path.poses.size(), frames);
