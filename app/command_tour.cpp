@@ -14,18 +14,21 @@ namespace {
 struct TourOptions {
   std::string house;
   std::string output;
-  std::string format = "json";
+  std::string format;
   TourParameters parameters;
 };
+
+PathFormat formatOf(const TourOptions& options) {
+  if (options.format.empty()) return pathFormatOf(options.output);
+  return options.format == "tum"    ? PathFormat::kTum
+         : options.format == "gltf" ? PathFormat::kGltf
+                                    : PathFormat::kTour;
+}
 
 void runTour(const TourOptions& options, bool quiet) {
   const House house = readHouse(options.house);
   const Tour tour = makeTour(house, options.parameters);
-  if (options.format == "tum") {
-    writeTumPath(options.output, tour.path);
-  } else {
-    writeCameraPath(options.output, tour.path);
-  }
+  writePath(options.output, tour.path, formatOf(options));
   for (const std::string& note : tour.notes) printNote(quiet, note);
   printNote(quiet,
             fmt::format("{}: {} frames through {} of {} cells", options.output,
@@ -63,10 +66,10 @@ void addTourCommand(CLI::App& program, CommandContext& context) {
       ->check(limits(2, 1'000'000));
   command
       ->add_option("--format", options->format,
-                   "json, or tum (lines of: timestamp tx ty tz qx qy qz qw)")
+                   "json, tum (lines of: timestamp tx ty tz qx qy qz qw), or gltf (an animated "
+                   "camera); unless told otherwise by FILE: .tum, .txt, .gltf, .glb, or else json")
       ->type_name("FORMAT")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"json", "tum"}).description(""));
+      ->check(CLI::IsMember({"json", "tum", "gltf"}).description(""));
   addWalkerOptions(*command, options->parameters);
   command->callback([options, &context] {
     context.run = [options, &context] { runTour(*options, context.quiet); };

@@ -177,4 +177,17 @@ void writeTumPath(const std::string& file, const CameraPath& path) {
   writeFileAtomically(file, text);
 }
 
+PathFormat pathFormatOf(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".tum" || extension == ".txt") return PathFormat::kTum;
+  if (extension == ".gltf" || extension == ".glb") return PathFormat::kGltf;
+  return PathFormat::kTour;
+}
+
+void writePath(const std::string& file, const CameraPath& path, PathFormat format) {
+  if (format == PathFormat::kTum) return writeTumPath(file, path);
+  if (format == PathFormat::kGltf) return writeGltfPath(file, path);
+  writeCameraPath(file, path);
+}
+
 }  // namespace enfilade

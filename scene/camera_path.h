@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -49,5 +50,19 @@ void writeCameraPath(const std::string& file, const CameraPath& path);
 
 /// Writes TUM lines, without doors, by way of a temporary name.  Throws Error (kMachine).
 void writeTumPath(const std::string& file, const CameraPath& path);
+
+/// Writes an animated glTF camera, without doors, by way of a temporary name: text with its numbers
+/// inside if the file's name ends in .gltf, or else a GLB.  Its times begin at 0; of poses at one
+/// time the last is kept.  `path` has poses.  Throws Error (kMachine).
+/// Source: Khronos, glTF 2.0 specification, sections 3.10 and 3.11.
+void writeGltfPath(const std::string& file, const CameraPath& path);
+
+enum class PathFormat : std::uint8_t { kTour, kTum, kGltf };
+
+/// By its extension: .tum and .txt, .gltf and .glb; or else our JSON.
+PathFormat pathFormatOf(const std::string& file);
+
+/// Writes `path` as one of these.
+void writePath(const std::string& file, const CameraPath& path, PathFormat format);
 
 }  // namespace enfilade

@@ -78,8 +78,9 @@ CameraPath readAnimatedCamera(const std::string& file, double frames_per_second)
   path.vertical_fov = static_cast<float>(fov);
 
   const auto [begin, end] = animation.timeRange(camera.chain);
-  // A hair more, so that rounding does not cost the last frame.
-  const double last_frame = std::floor((end - begin) * frames_per_second + 1e-3);
+  // A hair more, so that rounding, of keys in 32 bits too, does not cost the last frame.
+  const double hair = 1e-3 + frames_per_second * std::abs(end) * 1e-7;
+  const double last_frame = std::floor((end - begin) * frames_per_second + hair);
   if (last_frame >= kMaxFrames) {
     gltf.fail(fmt::format("has an animation of {:.0f} s, too long to sample", end - begin));
   }
