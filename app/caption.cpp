@@ -47,7 +47,7 @@ float CaptionPainter::figuresWidth(const Caption& caption) {
   return figures_.width(widestTime(caption) + std::string(" ms") + kGap + medianText(caption));
 }
 
-PixelBox CaptionPainter::box(const Caption& caption) {
+PixelRange CaptionPainter::box(const Caption& caption) {
   const float text = std::max(name_.width(caption.name), figuresWidth(caption));
   const glm::vec2 size(text, name_.lineHeight() + figures_.lineHeight());
   const glm::ivec2 low(static_cast<int>(padding_));
@@ -56,7 +56,7 @@ PixelBox CaptionPainter::box(const Caption& caption) {
 }
 
 void CaptionPainter::draw(const Caption& caption, const glm::ivec2& corner, Image& frame) {
-  PixelBox within = box(caption);
+  PixelRange within = box(caption);
   within.low += corner;
   within.high += corner;
   for (int y = within.low.y; y < within.high.y; ++y) {
@@ -77,7 +77,7 @@ void CaptionPainter::draw(const Caption& caption, const glm::ivec2& corner, Imag
 }
 
 void CaptionPainter::write(Font& font, const std::string& text, const glm::vec2& at,
-                           const PixelBox& within, Image& frame) {
+                           const PixelRange& within, Image& frame) {
   font.layOut(text, at, [&](char32_t, const Glyph& glyph, const glm::ivec2& place) {
     const glm::ivec2 low = glm::max(place, within.low);
     const glm::ivec2 high = glm::min(place + glyph.size, within.high);

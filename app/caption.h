@@ -16,7 +16,7 @@ struct Caption {
 };
 
 /// Pixels [low, high).
-struct PixelBox {
+struct PixelRange {
   glm::ivec2 low{0}, high{0};
 };
 
@@ -29,14 +29,14 @@ class CaptionPainter {
 
   /// The pixels of a picture that `caption` takes: the same whatever the frame's time, up to
   /// 9999.9 ms.
-  PixelBox box(const Caption& caption);
+  PixelRange box(const Caption& caption);
 
   /// Writes it into the picture whose upper left corner is `corner` of `frame`.
   void draw(const Caption& caption, const glm::ivec2& corner, Image& frame);
 
  private:
   float figuresWidth(const Caption& caption);
-  void write(Font& font, const std::string& text, const glm::vec2& at, const PixelBox& within,
+  void write(Font& font, const std::string& text, const glm::vec2& at, const PixelRange& within,
              Image& frame);
 
   glm::ivec2 panel_;

@@ -12,6 +12,7 @@
 #include "app/film.h"
 #include "app/film_options.h"
 #include "app/film_path.h"
+#include "app/frame_size.h"
 #include "app/gl_option.h"
 #include "app/help_format.h"
 #include "app/interruption.h"
@@ -44,18 +45,6 @@ struct PlayOptions {
   PlaybackParameters playback;
 };
 
-/// "640x512" as columns and rows.
-glm::ivec2 parseSize(const std::string& text) {
-  glm::ivec2 size(0);
-  char after = 0;
-  const int found = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &after);  // NOLINT
-  if (found != 2 || size.x < 16 || size.y < 16 || size.x > 16384 || size.y > 16384) {
-    throw Error(ErrorKind::kUsage, "--size " + text,
-                "no size; write WIDTHxHEIGHT in pixels, each 16 to 16384, such as 640x512");
-  }
-  return size;
-}
-
 CameraPath pathFor(const PlayOptions& options, const House& house, bool quiet) {
   if (options.tour.empty()) {
     Tour tour = makeTour(house, {});
@@ -78,12 +67,6 @@ void moveAskedDoors(const PlayOptions& options, House& house) {
   };
   move(options.open, true, "--open");
   move(options.shut, false, "--shut");
-}
-
-ImageSource parseImageSource(const std::string& name) {
-  if (name == "baked") return ImageSource::kBaked;
-  if (name == "on-demand") return ImageSource::kOnDemand;
-  throw Error(ErrorKind::kUsage, "--images " + name, "no such source; there are: baked, on-demand");
 }
 
 const char* imagesName(ImageKind kind) {
@@ -197,7 +180,7 @@ void playAndFilm(FramePainter& painter, const Walk& walk, const Walk& film_walk,
 void runPlay(PlayOptions options, const CommandContext& context) {
   options.playback.methods = parseMethods(options.methods);
   requireSomeOutput(options);
-  const glm::ivec2 size = parseSize(options.size);
+  const glm::ivec2 size = parseFrameSize(options.size);
   const ImageSource source = parseImageSource(options.images);
   const Warping warping = parseWarping(options.warping);
   const Interruption interruption;

@@ -22,5 +22,6 @@ void addInspectCommand(CLI::App& program, CommandContext& context);
 void addPreprocessCommand(CLI::App& program, CommandContext& context);
 void addTourCommand(CLI::App& program, CommandContext& context);
 void addPlayCommand(CLI::App& program, CommandContext& context);
+void addViewCommand(CLI::App& program, CommandContext& context);
 
 }  // namespace enfilade

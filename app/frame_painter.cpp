@@ -4,6 +4,7 @@
 
 #include "app/stopwatch.h"
 #include "portals/leaf_cover.h"
+#include "scene/error.h"
 
 namespace enfilade {
 
@@ -24,6 +25,12 @@ void lookFromElsewhere(const CellGraph& graph, const View& view, VisibleSet& set
 }
 
 }  // namespace
+
+ImageSource parseImageSource(const std::string& name) {
+  if (name == "baked") return ImageSource::kBaked;
+  if (name == "on-demand") return ImageSource::kOnDemand;
+  throw Error(ErrorKind::kUsage, "--images " + name, "no such source; there are: baked, on-demand");
+}
 
 FramePainter::FramePainter(GlContext& context, House& house, const PortalImages& images, int width,
                            int height, int threads, ImageSource source)

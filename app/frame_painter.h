@@ -19,6 +19,9 @@ namespace enfilade {
 /// Where the portals' images come from.
 enum class ImageSource : std::uint8_t { kBaked, kOnDemand };
 
+/// "baked" or "on-demand".  Throws Error (kUsage) that names --images.
+ImageSource parseImageSource(const std::string& name);
+
 /// How a frame is made otherwise than its method would make it, to compare or to look into it.
 struct PaintOptions {
   std::optional<PortalSide> as_geometry = {};  ///< shows no image, however far it is

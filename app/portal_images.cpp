@@ -93,6 +93,10 @@ PortalImages::PortalImages(const House& house) {
 
 PortalImages::PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds)
     : PortalImages(house) {
+  read(house, folder, kinds);
+}
+
+void PortalImages::read(const House& house, const std::string& folder, const ImageKinds& kinds) {
   forEachSide(house, [&](PortalId id, bool from_front) {
     const std::string images = portalImageFolder(folder, id, from_front);
     SideImages& there = side(id, from_front);

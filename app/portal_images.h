@@ -38,6 +38,9 @@ class PortalImages {
   /// that cannot be read or is missing while others of its side are there.
   PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds = {});
 
+  /// Reads those of `kinds` too.  Throws as the constructor does.
+  void read(const House& house, const std::string& folder, const ImageKinds& kinds);
+
   /// A side without images if there is none such.
   const SideImages& side(PortalId portal, bool from_front) const noexcept;
   /// The portal must be one of the house's.

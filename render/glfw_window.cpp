@@ -87,8 +87,7 @@ struct GlfwWindow::Callbacks {
   static void onPointer(GLFWwindow* window, double x, double y) {
     GlfwWindow& self = of(window);
     const glm::dvec2 now(x, y);
-    const glm::dvec2 before = self.pointer_.value_or(now);
-    self.pointer_ = now;
+    const glm::dvec2 before = std::exchange(self.pointer_, now);
     WindowEvent event;
     event.kind = Kind::kMouseMove;
     event.at = toPixels(window, self.holdsPointer() ? now - before : now);
@@ -224,7 +223,7 @@ void GlfwWindow::holdPointer(bool hold) {
   if (glfwRawMouseMotionSupported() != 0) {
     glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, hold ? GLFW_TRUE : GLFW_FALSE);
   }
-  pointer_.reset();  // it jumps
+  glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);  // it may have jumped
 }
 
 std::vector<WindowEvent> GlfwWindow::takeEvents(double wait_seconds) {

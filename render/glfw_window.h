@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,8 +67,8 @@ class GlfwWindow final : public GlContext {
 
   GLFWwindow* window_ = nullptr;
   std::vector<WindowEvent> events_;
-  std::optional<glm::dvec2> pointer_;  // where it was [screen units]
-  glm::ivec4 place_{0};                // x, y, width, height outside full screen
+  glm::dvec2 pointer_{0};  // where it was [screen units]
+  glm::ivec4 place_{0};    // x, y, width, height outside full screen
 };
 
 }  // namespace enfilade

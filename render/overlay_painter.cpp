@@ -118,6 +118,7 @@ void OverlayPainter::begin(const glm::ivec2& window) {
 void OverlayPainter::end() {
   flush();
   gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_SCISSOR_TEST);
 }
 
 void OverlayPainter::flush() {
@@ -245,15 +246,29 @@ void OverlayPainter::picture(const PixelBox& box, const Image& picture, int slot
   flush();
 }
 
-void OverlayPainter::pictureWithin(const PixelBox& box, const PixelBox& clip, const Image& picture,
-                                   int slot, bool changed) {
+void OverlayPainter::clipTo(const PixelBox& clip) {
   flush();
-  gl_.Enable(GL_SCISSOR_TEST);
   const glm::ivec2 low(glm::round(glm::max(clip.low, glm::vec2(0))));
   const glm::ivec2 high(glm::round(glm::min(clip.high, glm::vec2(window_))));
+  gl_.Enable(GL_SCISSOR_TEST);
   gl_.Scissor(low.x, window_.y - high.y, std::max(high.x - low.x, 0), std::max(high.y - low.y, 0));
-  this->picture(box, picture, slot, changed);
-  gl_.Disable(GL_SCISSOR_TEST);
+}
+
+Image OverlayPainter::read() {
+  Image bottom_up;
+  bottom_up.width = window_.x;
+  bottom_up.height = window_.y;
+  const auto row = 4 * static_cast<std::size_t>(window_.x);
+  bottom_up.rgba.resize(row * static_cast<std::size_t>(window_.y));
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl_.ReadPixels(0, 0, window_.x, window_.y, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.rgba.data());
+  Image picture = bottom_up;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(window_.y); ++y) {
+    const auto from = bottom_up.rgba.begin() + static_cast<std::ptrdiff_t>(y * row);
+    std::copy_n(from, row, picture.rgba.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+  }
+  for (std::size_t a = 3; a < picture.rgba.size(); a += 4) picture.rgba[a] = 255;
+  return picture;
 }
 
 }  // namespace enfilade

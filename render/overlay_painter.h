@@ -62,9 +62,11 @@ class OverlayPainter {
   /// written anew only when `changed`.
   void picture(const PixelBox& box, const Image& picture, int slot, bool changed = true,
                bool smooth = true);
-  /// The same, of the picture only what lies within `clip` [pixels of the window].
-  void pictureWithin(const PixelBox& box, const PixelBox& clip, const Image& picture, int slot,
-                     bool changed = true);
+  /// What is drawn from now on shows within `clip` alone.
+  void clipTo(const PixelBox& clip);
+
+  /// What the framebuffer shows.
+  Image read();
 
  private:
   struct Vertex {

@@ -24,14 +24,15 @@ TEST(Caption, ChangesPixelsOnlyWithinItsBox) {
     const glm::ivec2 corner(7, 3);
     Image frame = grey(panel.x + 20, panel.y + 20);
     painter.draw(caption, corner, frame);
-    const PixelBox box = painter.box(caption);
+    const PixelRange box = painter.box(caption);
     EXPECT_TRUE(glm::all(glm::lessThanEqual(box.high, panel)));
     for (int y = 0; y < frame.height; ++y) {
       for (int x = 0; x < frame.width; ++x) {
         const glm::ivec2 at = glm::ivec2(x, y) - corner;
         const bool inside =
             glm::all(glm::greaterThanEqual(at, box.low)) && glm::all(glm::lessThan(at, box.high));
-        if (!inside) ASSERT_EQ(levelAt(frame, x, y), 128) << x << ", " << y;
+        if (inside) continue;
+        ASSERT_EQ(levelAt(frame, x, y), 128) << x << ", " << y;
       }
     }
   }
@@ -42,7 +43,7 @@ TEST(Caption, IsLightTextOnADarkGround) {
   const Caption caption{"ldi", 4.5, 4.4};
   Image frame = grey(640, 512);
   painter.draw(caption, {0, 0}, frame);
-  const PixelBox box = painter.box(caption);
+  const PixelRange box = painter.box(caption);
   int white = 0, dark = 0, all = 0;
   for (int y = box.low.y; y < box.high.y; ++y) {
     for (int x = box.low.x; x < box.high.x; ++x) {
@@ -62,7 +63,7 @@ TEST(Caption, ItsBoxAndItsPointStandStillWhileTheTimeChanges) {
     painter.draw({"ldi", ms, 4.4}, {0, 0}, frame);
     return frame;
   };
-  const PixelBox a = painter.box({"ldi", 9.9, 4.4}), b = painter.box({"ldi", 123.9, 4.4});
+  const PixelRange a = painter.box({"ldi", 9.9, 4.4}), b = painter.box({"ldi", 123.9, 4.4});
   EXPECT_EQ(a.low, b.low);
   EXPECT_EQ(a.high, b.high);
   // Only what is left of ".9 ms" differs: all that differs lies left of where 9.8's last digit is.

@@ -18,40 +18,12 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 128;
 
-ImageParameters parametersForAll() {
-  ImageParameters parameters;
-  parameters.bake = {};
-  parameters.image_size = 160;
-  parameters.rings = {{5, 75.0f, 0.0f}, {2, 40.0f, -0.4f}};
-  parameters.textures = 5;
-  return parameters;
-}
-
-/// Every box in a colour of its own; images are shown beyond 0.4 m, nearer than any viewpoint.
-House colouredHouse() {
-  House house = twoRoomHouse();
-  Building& building = house.building;
-  building.materials.clear();
-  for (std::size_t i = 0; i < building.meshes.size(); ++i) {
-    const auto share = static_cast<float>(i) / static_cast<float>(building.meshes.size());
-    Material material;
-    material.unlit = true;
-    material.double_sided = true;
-    material.base_color = {0.2f + 0.7f * share, 0.9f - 0.6f * share, i % 2 == 0 ? 0.3f : 0.7f, 1};
-    building.meshes[i].material = static_cast<std::uint32_t>(building.materials.size());
-    building.materials.push_back(material);
-  }
-  house.switch_distance = 0.4f;
-  house.info.parameters = imageParameterTexts(parametersForAll());
-  return house;
-}
-
 class ImagesTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     here_ = std::make_unique<TemporaryFolder>();
-    house_ = std::make_unique<House>(colouredHouse());
-    bakeImages(*house_, parametersForAll(), here_->path(), {GlBackend::kOsMesa, 1}, {});
+    house_ = std::make_unique<House>(colouredTwoRooms());
+    bakeImages(*house_, parametersForAllImages(), here_->path(), {GlBackend::kOsMesa, 1}, {});
     baked_ = std::make_unique<PortalImages>(*house_, here_->path());
     gl_ = createOsMesaContext(1);
   }
