@@ -3,6 +3,7 @@
 #include "app/report.h"
 #include "app/report_assets.h"
 #include "app/report_json.h"
+#include "app/web_page.h"
 
 namespace enfilade {
 
@@ -54,20 +55,6 @@ Json sheetObject(const Report& report) {
           {"rows", rows}};
 }
 
-/// JSON that may stand inside a script element: nothing in it can end the element.
-std::string forScript(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 6) {
-    text.replace(at, 1, "\\u003c");
-  }
-  return text;
-}
-
-void replaceOnce(std::string& text, const std::string& mark, std::string_view by) {
-  const std::size_t at = text.find(mark);
-  if (at != std::string::npos) text.replace(at, mark.size(), by);
-}
-
 }  // namespace
 
 std::string reportHtml(const Report& report) {
@@ -80,14 +67,10 @@ std::string reportHtml(const Report& report) {
                      {"descriptions", descriptions},
                      {"sheet", sheetObject(report)},
                      {"frames_dir", report.frames_dir}};
-  std::string page(kReportPage);
-  // The data last: what a person named must not be taken for a mark.
-  replaceOnce(page, "/*CHART STYLE*/", kChartStyle);
-  replaceOnce(page, "/*STYLE*/", kReportStyle);
-  replaceOnce(page, "/*CHART LIBRARY*/", kChartLibrary);
-  replaceOnce(page, "/*SCRIPT*/", kReportScript);
-  replaceOnce(page, "/*DATA*/", forScript(data));
-  return page;
+  return assembledPage(
+      kReportPage,
+      {kPageScript, kTablesScript, kChartsScript, kPicturesScript, kAboutScript, kReportScript},
+      data, reportTable(report));
 }
 
 }  // namespace enfilade
