@@ -40,6 +40,7 @@ struct PlayOptions {
   float fov_degrees = 0;   ///< 0: the path's own
   int threads = 0;
   GlBackend gl = GlBackend::kOsMesa;
+  int pictures = 130;  ///< kept for the report's page, a method
   WarpingNames warping;
   FilmParameters film;
   PlaybackParameters playback;
@@ -177,6 +178,15 @@ void playAndFilm(FramePainter& painter, const Walk& walk, const Walk& film_walk,
   if (film) film->shoot(painter, film_walk, report.records, sink);
 }
 
+/// Has pictures of the walk kept for the report that is made in `report`.
+void keepPictures(const std::string& report, std::size_t frames, const Warping& warping,
+                  PlayOptions& options) {
+  options.playback.keeper = PictureKeeper(report + "/" + kPicturesFolder, frames,
+                                          static_cast<std::size_t>(options.pictures));
+  options.playback.in_order = parseImageSource(options.images) == ImageSource::kOnDemand ||
+                              warping.holes == Holes::kPersist;
+}
+
 void runPlay(PlayOptions options, const CommandContext& context) {
   options.playback.methods = parseMethods(options.methods);
   requireSomeOutput(options);
@@ -214,6 +224,8 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   report.vertical_fov_degrees = static_cast<double>(glm::degrees(fov));
   report.machine = describeMachine(gl->description());
   if (report.threads == 0) report.threads = report.machine.cores;
+  if (folder) keepPictures(folder->path(), walk.frames(), warping, options);
+  report.picture_stride = options.playback.keeper.stride();
   playAndFilm(painter, walk, film_walk, options.playback, film, context.quiet, report);
   if (folder) writeReport(report, *folder);
   printResult(reportTable(report) + (film ? film->description() : "") +
@@ -280,6 +292,14 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
                 "the worst frames in REPORT/contact-sheet.png")
       ->group("Pictures");
   command
+      .add_option("--pictures", options.pictures,
+                  "Small pictures kept a method, evenly spaced, for report.html to show: at most N "
+                  "frames as REPORT/pictures/METHOD/00012.jpg, painted untimed; 0: none")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(limits(0, 100'000))
+      ->group("Pictures");
+  command
       .add_option("--frames-dir", options.playback.frames_dir,
                   "Keep every frame as FOLDER/METHOD/frame-00000.png")
       ->type_name("FOLDER")
@@ -298,9 +318,10 @@ void addPlayCommand(CLI::App& program, CommandContext& context) {
   command->add_option("HOUSE", options->house, "A folder that 'enfilade preprocess' made")
       ->required();
   command
-      ->add_option("-o,--output", options->output,
-                   "The report folder to write: report.html, summary.json, frames.csv, and with "
-                   "--quality contact-sheet.png; required unless --video or --frames-dir is given")
+      ->add_option(
+          "-o,--output", options->output,
+          "The report folder to write: report.html, summary.json, frames.csv, pictures, and "
+          "with --quality contact-sheet.png; required unless --video or --frames-dir is given")
       ->type_name("REPORT");
   addPlayOptions(*command, *options);
   addFilmOptions(*command, options->film);

@@ -35,15 +35,16 @@ Playback playBack(FramePainter& painter, const Walk& walk, const PlaybackParamet
       createFolders(parameters.frames_dir + "/" + infoOf(method).name);
     }
   }
+  parameters.keeper.begin(parameters.methods);
   Playback played;
   played.records.reserve(parameters.methods.size() * walk.frames());
   for (const Method method : parameters.methods) {
     timeFrames(painter, method, walk, parameters.warm_up, progress, played.records);
   }
-  if (parameters.quality || !parameters.frames_dir.empty()) {
-    played.findings =
-        lookAtFrames(painter, walk, {parameters.methods, parameters.quality, parameters.frames_dir},
-                     progress, played.records);
+  const PicturePass pass{parameters.methods, parameters.quality, parameters.frames_dir,
+                         parameters.keeper, parameters.in_order};
+  if (pass.quality || !pass.frames_dir.empty() || pass.keeper.stride() > 0) {
+    played.findings = lookAtFrames(painter, walk, pass, progress, played.records);
   }
   return played;
 }

@@ -13,6 +13,8 @@ struct PlaybackParameters {
   int warm_up = 3;         ///< [≥ 0] frames painted before the first that counts, for each method
   bool quality = false;    ///< compare every frame with `geometry`
   std::string frames_dir;  ///< where to keep frames as METHOD/frame-00000.png; empty: nowhere
+  PictureKeeper keeper = {};  ///< keeps small pictures
+  bool in_order = false;      ///< what a frame shows depends on those before it
 };
 
 struct Playback {

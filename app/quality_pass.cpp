@@ -121,6 +121,7 @@ PictureFindings lookAtFrames(FramePainter& painter, const Walk& walk, const Pict
   Comparison comparison(painter, walk, pass.methods.size());
   Image picture;
   for (std::size_t frame = 0; frame < frames; ++frame) {
+    if (!pass.everyFrame() && !pass.keeper.keeps(frame)) continue;
     report(frame);
     if (pass.quality) comparison.startFrame(frame);
     for (std::size_t m = 0; m < pass.methods.size(); ++m) {
@@ -130,6 +131,7 @@ PictureFindings lookAtFrames(FramePainter& painter, const Walk& walk, const Pict
       if (!pass.frames_dir.empty()) {
         writePng(pass.frames_dir + "/" + frameFile(method, frame), picture);
       }
+      if (pass.keeper.keeps(frame)) pass.keeper.keep(method, frame, picture);
       if (pass.quality) comparison.compare(m, picture, records[m * frames + frame]);
     }
   }

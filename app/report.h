@@ -30,6 +30,7 @@ struct Report {
   std::vector<FrameRecord> records;  ///< method after method, each with all frames
   PictureFindings findings;          ///< with --quality
   std::string frames_dir;  ///< where frames were kept, relative to the report; empty: nowhere
+  std::size_t picture_stride = 0;  ///< of so many frames one is kept small; 0: none is
 };
 
 /// Of one method's values in one column; empty where it has none.

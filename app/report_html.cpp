@@ -55,6 +55,12 @@ Json sheetObject(const Report& report) {
           {"rows", rows}};
 }
 
+/// Where small pictures of frames lie beside the page; null if none were kept.
+Json picturesObject(const Report& report) {
+  if (report.picture_stride == 0) return nullptr;
+  return {{"folder", kPicturesFolder}, {"stride", report.picture_stride}};
+}
+
 }  // namespace
 
 std::string reportHtml(const Report& report) {
@@ -62,11 +68,9 @@ std::string reportHtml(const Report& report) {
   for (const Method method : report.methods) {
     descriptions[infoOf(method).name] = infoOf(method).description;
   }
-  const Json data = {{"summary", summaryObject(report)},
-                     {"series", seriesObject(report)},
-                     {"descriptions", descriptions},
-                     {"sheet", sheetObject(report)},
-                     {"frames_dir", report.frames_dir}};
+  const Json data = {{"summary", summaryObject(report)},   {"series", seriesObject(report)},
+                     {"descriptions", descriptions},       {"sheet", sheetObject(report)},
+                     {"pictures", picturesObject(report)}, {"frames_dir", report.frames_dir}};
   return assembledPage(
       kReportPage,
       {kPageScript, kTablesScript, kChartsScript, kPicturesScript, kAboutScript, kReportScript},

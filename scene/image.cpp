@@ -77,6 +77,16 @@ std::vector<std::uint8_t> encodePng(const Image& image) {
   return bytes;
 }
 
+std::vector<std::uint8_t> encodeJpeg(const Image& image, int quality) {
+  assert(quality >= 1 && quality <= 100);
+  std::vector<std::uint8_t> bytes;
+  if (!stbi_write_jpg_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                              quality)) {
+    throw Error(ErrorKind::kMachine, "", "no memory to encode a JPEG image");
+  }
+  return bytes;
+}
+
 void writePng(const std::string& file, const Image& image) {
   writeFileAtomically(file, encodePng(image));
 }

@@ -31,6 +31,10 @@ Image readImage(const std::string& file);
 /// The PNG file of `image`, in memory.  The same bytes on every run.
 std::vector<std::uint8_t> encodePng(const Image& image);
 
+/// The JPEG file of `image`, its alpha left out, in memory; `quality` 1 to 100.  The same bytes on
+/// every run.
+std::vector<std::uint8_t> encodeJpeg(const Image& image, int quality);
+
 /// Decodes a PNG or JPEG in memory (at most 16384 × 16384); `subject` names it in errors.  Throws
 /// Error (kBadInput).
 Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& subject);

@@ -251,6 +251,18 @@ TEST_F(QualityPass, WithoutAMethodThatShowsImagesThereIsNoSheet) {
   EXPECT_TRUE(findings.jumps.empty());
 }
 
+TEST_F(QualityPass, WithoutQualityOnlyTheFramesOfWhichPicturesAreKeptArePainted) {
+  PicturePass pass{{Method::kCulling}, false, ""};
+  pass.keeper = PictureKeeper(here_.path() + "/pictures", path_.poses.size(), 3);
+  pass.keeper.begin(pass.methods);
+  EXPECT_FALSE(pass.everyFrame());
+  look(pass);
+  EXPECT_TRUE(std::filesystem::exists(here_ / "pictures/culling/00006.jpg"));
+  EXPECT_FALSE(std::filesystem::exists(here_ / "pictures/culling/00007.jpg"));
+  pass.in_order = true;
+  EXPECT_TRUE(pass.everyFrame());
+}
+
 TEST_F(QualityPass, WithoutQualityFramesAreKeptAndNothingElse) {
   createFolders(here_ / "culling");
   const PictureFindings findings = look({{Method::kCulling}, false, here_.path()});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/contact_sheet.h"
+#include "app/image_quality.h"
 #include "scene/camera_path.h"
 #include "scene/gltf_writer.h"
 #include "tests/app/run_program.h"
@@ -158,7 +159,7 @@ TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
 }
 
 TEST_F(WholeJob, TheReportIsWhole) {
-  EXPECT_EQ(bytesBelow("report").size(), 4u);
+  EXPECT_EQ(bytesBelow("report").size(), 4u + 7u * 12u);
   const std::string csv = textOf(path("report/frames.csv"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 7 * 12);
   const Json summary = Json::parse(textOf(path("report/summary.json")));
@@ -197,6 +198,13 @@ TEST_F(WholeJob, StdoutEndsWithATableAndWhereTheReportIs) {
 TEST_F(WholeJob, EveryFrameIsKept) {
   EXPECT_EQ(bytesBelow("frames").size(), 7u * 12u);
   EXPECT_TRUE(fs::exists(path("frames/ldi/frame-00011.png")));
+}
+
+TEST_F(WholeJob, ThePicturesOfTheReportAreItsFrames) {
+  const Image frame = readImage(path("frames/ldi/frame-00007.png"));
+  const Image picture = readImage(path("report/pictures/ldi/00007.jpg"));
+  ASSERT_EQ(glm::ivec2(picture.width, picture.height), glm::ivec2(80, 64)) << "not made larger";
+  EXPECT_GT(psnr(picture, frame), 25);
 }
 
 TEST_F(WholeJob, TheSamePixelsWithOneThreadAsWithTwo) {
@@ -267,12 +275,13 @@ TEST_F(WholeJob, ABrokenOrMissingImageIsNamed) {
 }
 
 TEST_F(WholeJob, AReportIsReplacedByTheNext) {
-  const Arguments play = {"play",   "house", "--tour", "tour.json", "--methods", "culling",
-                          "--size", "32x32", "-q",     "-o",        "twice"};
+  const Arguments play = {"play",    "house",  "--tour", "tour.json",  "--methods",
+                          "culling", "--size", "32x32",  "--pictures", "5",
+                          "-q",      "-o",     "twice"};
   ASSERT_EQ(run(play).status, 0);
   writeText(path("twice/note"), "of the first");
   ASSERT_EQ(run(play).status, 0);
-  EXPECT_EQ(bytesBelow("twice").size(), 3u);
+  EXPECT_EQ(bytesBelow("twice").size(), 3u + 4u) << "of every third frame a picture";
 }
 
 TEST_F(WholeJob, WithoutATourTheHousesOwnIsPlayed) {
