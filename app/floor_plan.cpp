@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "app/plan_marks.h"
+#include <limits>
 
 namespace enfilade {
 
@@ -23,8 +22,32 @@ std::string cellColor(CellId cell) {
   return fmt::format("hsl({:.0f},{}%,{}%)", hue, 58 + 12 * (cell % 2), 80 - 5 * (cell % 3));
 }
 
-/// About all that is not the exterior, a metre more, and never beyond the grid.
-PlanCrop cropOf(const House& house) {
+/// Whether what has its middle at height `y` is to be seen on the storey: between this floor and
+/// the next.
+bool standsOn(const CellGraph& graph, std::size_t storey, float y) {
+  const auto& storeys = graph.storeys;
+  const float below =
+      storey == 0 ? -std::numeric_limits<float>::infinity() : storeys[storey].floor_y - 0.3f;
+  const float above = storey + 1 < storeys.size() ? storeys[storey + 1].floor_y - 0.3f
+                                                  : std::numeric_limits<float>::infinity();
+  return y >= below && y < above;
+}
+
+/// A storey with its name above it.
+std::string storeyPlan(const House& house, std::size_t storey, float slice_height,
+                       const PlanCrop& crop) {
+  const Storey& level = house.graph.storeys[storey];
+  const glm::vec2 size = crop.size();
+  return fmt::format(
+      "<text y=\"-12\" font-size=\"16\">{}, floor at {:.2f} m</text>\n"
+      "<svg width=\"{:.1f}\" height=\"{:.1f}\">\n{}</svg>\n",
+      escapedXml(level.name), level.floor_y, size.x, size.y,
+      storeyDrawing(house, storey, slice_height, crop));
+}
+
+}  // namespace
+
+PlanCrop planCrop(const House& house) {
   PlanCrop crop;
   for (std::size_t c = 1; c < house.graph.cells.size(); ++c) {
     const Box& bounds = house.graph.cells[c].bounds;
@@ -47,35 +70,21 @@ PlanCrop cropOf(const House& house) {
   return crop;
 }
 
-/// Whether what has its middle at height `y` is to be seen on the storey: between this floor and
-/// the next.
-bool standsOn(const CellGraph& graph, std::size_t storey, float y) {
-  const auto& storeys = graph.storeys;
-  const float below =
-      storey == 0 ? -std::numeric_limits<float>::infinity() : storeys[storey].floor_y - 0.3f;
-  const float above = storey + 1 < storeys.size() ? storeys[storey + 1].floor_y - 0.3f
-                                                  : std::numeric_limits<float>::infinity();
-  return y >= below && y < above;
-}
-
-std::string storeyPlan(const House& house, std::size_t storey, float slice_height,
-                       const PlanCrop& crop) {
+std::string storeyDrawing(const House& house, std::size_t storey, float slice_height,
+                          const PlanCrop& crop) {
   const CellGraph& graph = house.graph;
   const Storey& level = graph.storeys[storey];
   const PlanSlice slice = sliceHouse(graph, house.grid, level.floor_y + slice_height);
-  const glm::vec2 size = crop.size();
-  std::string svg = fmt::format("<text y=\"-12\" font-size=\"16\">{}, floor at {:.2f} m</text>\n",
-                                escapedXml(level.name), level.floor_y);
-  svg += fmt::format("<svg width=\"{:.1f}\" height=\"{:.1f}\">\n", size.x, size.y);
+  std::string svg;
   std::string labels;
   for (CellId id = 1; id < graph.cells.size(); ++id) {
     const std::string path = outlinePath(slice, static_cast<CellGrid::Label>(id), crop);
     if (path.empty()) continue;
-    svg += fmt::format("<path d=\"{}\" fill=\"{}\"><title>{} {}</title></path>\n", path,
-                       cellColor(id), id, escapedXml(graph.cells[id].name));
+    svg += fmt::format("<path class=\"cell\" d=\"{}\" fill=\"{}\"><title>{} {}</title></path>\n",
+                       path, cellColor(id), id, escapedXml(graph.cells[id].name));
     labels += cellLabel(slice, graph, id, crop);
   }
-  svg += fmt::format("<path d=\"{}\" fill=\"#3a3f47\"/>\n",
+  svg += fmt::format("<path class=\"wall\" d=\"{}\" fill=\"#3a3f47\"/>\n",
                      outlinePath(slice, CellGrid::kSolidVoxel, crop));
   for (PortalId id = 0; id < graph.portals.size(); ++id) {
     if (standsOn(graph, storey, graph.portals[id].center().y)) {
@@ -86,14 +95,12 @@ std::string storeyPlan(const House& house, std::size_t storey, float slice_heigh
   for (const Leak& leak : house.info.leaks) {
     if (standsOn(graph, storey, leak.place.y)) svg += leakMark(leak, crop);
   }
-  return svg + "</svg>\n";
+  return svg;
 }
-
-}  // namespace
 
 std::string floorPlanSvg(const House& house, float slice_height) {
   const auto storeys = static_cast<float>(house.graph.storeys.size());
-  PlanCrop crop = cropOf(house);
+  PlanCrop crop = planCrop(house);
   crop.scale = std::min(kScale, kWidest / (storeys * (crop.high.x - crop.low.x)));
   const float step = crop.size().x + kMargin;
   const float width = std::max(kMargin + storeys * step, 360.0f);
