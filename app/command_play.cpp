@@ -19,6 +19,7 @@
 #include "app/playback.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/report_facts.h"
 #include "app/staged_folder.h"
 #include "app/walk.h"
 #include "app/warping.h"
@@ -110,19 +111,28 @@ std::string relativeTo(const std::string& report, const std::string& folder) {
   return std::filesystem::absolute(folder).lexically_normal().lexically_relative(base).string();
 }
 
+/// What was chosen besides the methods, the size, the threads and the field of view.
+std::vector<std::pair<std::string, std::string>> parametersOf(const PlayOptions& options) {
+  return {{"images", options.images},
+          {"splat", options.warping.splat},
+          {"holes", options.warping.holes},
+          {"clip", options.warping.clip},
+          {"warm-up", std::to_string(options.playback.warm_up)},
+          {"shut", options.shut},
+          {"open", options.open}};
+}
+
 Report describe(const PlayOptions& options, const House& house, const PortalImages& images,
                 const CameraPath& path) {
   Report report;
   report.tool_version = ENFILADE_VERSION;
   report.house = options.house;
-  report.model = house.info.model_name;
+  describeHouse(house, report);
+  describePath(house, path, report);
   report.tour = options.tour.empty() ? "the house's own" : options.tour;
-  report.cells = house.graph.cells.size();
-  report.portals = house.graph.portals.size();
-  report.triangles = triangleCount(house.building);
   report.images = images.count();
   report.threads = options.threads;
-  report.frames = path.poses.size();
+  report.parameters = parametersOf(options);
   report.methods = options.playback.methods;
   report.frames_dir = relativeTo(options.output, options.playback.frames_dir);
   return report;

@@ -9,6 +9,7 @@
 #include "app/frame_record.h"
 #include "app/machine_info.h"
 #include "app/quality_pass.h"
+#include "app/report_plan.h"
 #include "app/statistics.h"
 
 namespace enfilade {
@@ -18,18 +19,24 @@ struct Report {
   std::string tool_version;
   std::string command;  ///< that repeats it
   std::string house;    ///< the folder, as it was named
-  std::string model;
-  std::string tour;  ///< the path's name
+  std::string model, model_sha256;
+  std::string house_version;                            ///< of the program that preprocessed it
+  std::map<std::string, std::string> house_parameters;  ///< of preprocessing
+  std::string tour;                                     ///< the path's name
+  std::string tour_sha256;                              ///< of its poses and doors
   std::size_t cells = 0, portals = 0, triangles = 0, images = 0;
   int width = 0, height = 0;
   double vertical_fov_degrees = 0;
   int threads = 0;
   std::size_t frames = 0;
+  std::vector<std::pair<std::string, std::string>>
+      parameters;  ///< of playing, as options name them
   std::vector<Method> methods;
   MachineInfo machine;
   std::vector<FrameRecord> records;  ///< method after method, each with all frames
   PictureFindings findings;          ///< with --quality
   std::string frames_dir;  ///< where frames were kept, relative to the report; empty: nowhere
+  ReportPlan plan;         ///< the house's, with the path
   std::size_t picture_stride = 0;  ///< of so many frames one is kept small; 0: none is
 };
 

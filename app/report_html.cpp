@@ -61,6 +61,32 @@ Json picturesObject(const Report& report) {
   return {{"folder", kPicturesFolder}, {"stride", report.picture_stride}};
 }
 
+double toTenth(float pixels) { return std::round(static_cast<double>(pixels) * 10) / 10; }
+
+/// The plan's storeys, and where each frame stands on them; null without a plan.
+Json planObject(const ReportPlan& plan) {
+  if (plan.storeys.empty()) return nullptr;
+  Json storeys = Json::array(), x = Json::array(), y = Json::array(), heading = Json::array(),
+       storey = Json::array();
+  for (const ReportPlan::Storey& level : plan.storeys) {
+    storeys.push_back(
+        {{"name", level.name}, {"floor_y", toTenth(level.floor_y)}, {"drawing", level.drawing}});
+  }
+  for (const ReportPlan::Step& step : plan.steps) {
+    x.push_back(toTenth(step.place.x));
+    y.push_back(toTenth(step.place.y));
+    heading.push_back(toTenth(step.heading));
+    storey.push_back(step.storey);
+  }
+  return {{"size", {toTenth(plan.size.x), toTenth(plan.size.y)}},
+          {"scale", toTenth(plan.scale)},
+          {"storeys", storeys},
+          {"x", x},
+          {"y", y},
+          {"heading", heading},
+          {"storey", storey}};
+}
+
 }  // namespace
 
 std::string reportHtml(const Report& report) {
@@ -68,13 +94,14 @@ std::string reportHtml(const Report& report) {
   for (const Method method : report.methods) {
     descriptions[infoOf(method).name] = infoOf(method).description;
   }
-  const Json data = {{"summary", summaryObject(report)},   {"series", seriesObject(report)},
-                     {"descriptions", descriptions},       {"sheet", sheetObject(report)},
-                     {"pictures", picturesObject(report)}, {"frames_dir", report.frames_dir}};
-  return assembledPage(
-      kReportPage,
-      {kPageScript, kTablesScript, kChartsScript, kPicturesScript, kAboutScript, kReportScript},
-      data, reportTable(report));
+  const Json data = {{"summary", summaryObject(report)}, {"series", seriesObject(report)},
+                     {"descriptions", descriptions},     {"sheet", sheetObject(report)},
+                     {"plan", planObject(report.plan)},  {"pictures", picturesObject(report)},
+                     {"frames_dir", report.frames_dir}};
+  return assembledPage(kReportPage,
+                       {kPageScript, kTablesScript, kChartsScript, kDistributionScript,
+                        kPicturesScript, kPlanScript, kAboutScript, kPrintingScript, kReportScript},
+                       data, reportTable(report));
 }
 
 }  // namespace enfilade

@@ -63,14 +63,26 @@ Json machineObject(const MachineInfo& machine) {
           {"gl_renderer", machine.gl_renderer}};
 }
 
+Json houseObject(const Report& report) {
+  Json json{{"folder", report.house},
+            {"model", report.model},
+            {"model_sha256", report.model_sha256},
+            {"cells", report.cells},
+            {"portals", report.portals},
+            {"triangles", report.triangles},
+            {"images", report.images},
+            {"tool_version", report.house_version}};
+  json["parameters"] = Json::object();
+  for (const auto& [name, value] : report.house_parameters) json["parameters"][name] = value;
+  return json;
+}
+
 }  // namespace
 
 Json summaryObject(const Report& report) {
   Json json;
   json["schema"] = 1;
-  json["house"] = {{"folder", report.house},        {"model", report.model},
-                   {"cells", report.cells},         {"portals", report.portals},
-                   {"triangles", report.triangles}, {"images", report.images}};
+  json["house"] = houseObject(report);
   json["size"] = {report.width, report.height};
   json["threads"] = report.threads;
   json["frames"] = report.frames;
@@ -78,7 +90,10 @@ Json summaryObject(const Report& report) {
   json["tool_version"] = report.tool_version;
   json["command"] = report.command;
   json["tour"] = report.tour;
+  json["tour_sha256"] = report.tour_sha256;
   json["vertical_fov_degrees"] = rounded(report.vertical_fov_degrees);
+  json["parameters"] = Json::object();
+  for (const auto& [name, value] : report.parameters) json["parameters"][name] = value;
   json["percentiles"] = "linear between the closest ranks";
   json["methods"] = Json::object();
   for (const Method method : report.methods) {

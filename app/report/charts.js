@@ -1,5 +1,7 @@
 // Charts along the path: one pointer, one zoom and one choice of methods for all of them.
 const charts = [];
+const others = [];      // charts along something else: no common pointer or zoom
+const repainters = [];  // redraw what is coloured by hand
 const followers = [];  // hear the frame that is pointed at
 const zoomers = [];    // hear the frames shown, [first, last], or null: all
 const shown = new Set();
@@ -16,7 +18,7 @@ function zoomAll(source, range) {
   for (const zoom of zoomers) zoom(range);
 }
 
-const refreshAll = () => charts.forEach((chart) => chart.refresh());
+const refreshAll = () => [...charts, ...others].forEach((chart) => chart.refresh());
 
 /// How charts look in the page's colours of now.
 const chartLook = () => ({ gridLineColor: css("--grid"), axisLineColor: css("--line") });
@@ -30,7 +32,7 @@ function addChart(id, frames, unit, decimals, options, linesOf) {
   const look = () => ({ labels: ["frame", ...lines.map((l) => l[0])], colors: lines.map((l) => l[2]),
     visibility: lines.map((l) => l[3]), ...chartLook() });
   const graph = new Dygraph(section.querySelector(".plot"), rows(), {
-    ...look(), legend: "never", strokeWidth: 1.5, includeZero: true, animatedZooms: false, labelsKMB: decimals === 0,
+    ...look(), legend: "never", strokeWidth: 1.5, includeZero: true, animatedZooms: false,
     highlightCircleSize: 3, xlabel: "frame", ylabel: unit, axes: { y: { axisLabelWidth: 48 } }, ...options,
     highlightCallback: (_event, x) => pointAt(x),
     zoomCallback: () => zoomAll(graph, graph.isZoomed("x") ? graph.xAxisRange() : null) });

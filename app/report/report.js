@@ -27,7 +27,9 @@ function addCharts() {
   addMethodSwitches(byId("frametime").querySelector(".switches"), methods);
   addMethodChart("frametime", "frametime_ms", "ms", 2);
   addStageChart();
-  addMethodChart("triangles", "triangles", "", 0);
+  addDistribution("distribution", () =>
+    methods.map((m) => [m, series[m].frametime_ms, methodColor(m), shown.has(m)]));
+  addMethodChart("triangles", "triangles", "", 0, { labelsKMB: true });
   addMethodChart("portals", "portals", "", 0);
   addMethodChart("portals-as-images", "portals_as_images", "", 0);
   addMethodChart("psnr", "psnr_db", "dB", 2, { includeZero: false });
@@ -44,15 +46,29 @@ function hideCharts() {
   byId("facts").append(" · without charts: the program was built without libjs-dygraphs");
 }
 
+/// For fingers and keys: moves the pointer without a mouse.
+function addSlider() {
+  const slider = byId("frame");
+  slider.max = summary.frames - 1;
+  slider.addEventListener("input", () => pointAt(Number(slider.value)));
+  followers.push((frame) => {
+    slider.value = frame;
+    byId("frame-number").textContent = frame;
+  });
+}
+
 for (const method of methods) shown.add(method);
 showFacts();
 showTimes(summary, methods);
 showStages(summary, methods);
 showLikeness(summary, methods);
 showSheet(data.sheet);
+showAbout();
+addSlider();
 addPictures();
+addPlan();
 if (typeof Dygraph === "undefined") hideCharts();
 else addCharts();
 pointAt(pointed);
 paintDots();
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { refreshAll(); paintDots(); });
+watchLook();

@@ -186,6 +186,48 @@ TEST(ReportHtml, ANameCannotEndTheScript) {
   EXPECT_NE(page.find("\\u003c/script>\\u003cscript>alert"), std::string::npos);
 }
 
+TEST(ReportHtml, HoldsThePlanAndWhereEachFrameStandsOnIt) {
+  Report report = exampleReport();
+  EXPECT_NE(reportHtml(report).find("\"plan\":null"), std::string::npos);
+  report.plan.size = {480, 300};
+  report.plan.scale = 20;
+  report.plan.storeys = {{"ground", 0, "<path class=\"wall\"/>"}, {"first", 3, ""}};
+  report.plan.steps = {{{10, 20}, 90, 0}, {{11.26f, 20}, 0, 0}, {{12, 20}, -90, 1}};
+  const std::string page = reportHtml(report);
+  EXPECT_NE(page.find("\"name\":\"ground\",\"floor_y\":0.0,\"drawing\":\"\\u003cpath"),
+            std::string::npos);
+  EXPECT_NE(page.find("\"x\":[10.0,11.3,12.0]"), std::string::npos);
+  EXPECT_NE(page.find("\"heading\":[90.0,0.0,-90.0],\"storey\":[0,0,1]"), std::string::npos);
+}
+
+TEST(ReportHtml, SaysWhereThePicturesLieOrThatThereAreNone) {
+  Report report = exampleReport();
+  EXPECT_NE(reportHtml(report).find("\"pictures\":null"), std::string::npos);
+  report.picture_stride = 4;
+  EXPECT_NE(reportHtml(report).find("\"pictures\":{\"folder\":\"pictures\",\"stride\":4}"),
+            std::string::npos);
+}
+
+TEST(ReportHtml, TellsAReaderWithoutScriptsTheTable) {
+  const std::string page = reportHtml(exampleReport());
+  const std::size_t start = page.find("<noscript>");
+  ASSERT_NE(start, std::string::npos);
+  const std::string words = page.substr(start, page.find("</noscript>") - start);
+  EXPECT_NE(words.find("\ngeometry      20.00"), std::string::npos) << words;
+  EXPECT_NE(words.find("\nldi            5.00"), std::string::npos) << words;
+}
+
+TEST(SummaryJson, HoldsTheParametersOfPlayingAndOfTheHouse) {
+  Report report = exampleReport();
+  report.parameters = {{"splat", "mean"}, {"warm-up", "3"}};
+  report.house_parameters = {{"voxel_m", "0.1"}};
+  report.house_version = "0.0.9";
+  const Json json = Json::parse(summaryJson(report));
+  EXPECT_EQ(json["parameters"], (Json{{"splat", "mean"}, {"warm-up", "3"}}));
+  EXPECT_EQ(json["house"]["parameters"], (Json{{"voxel_m", "0.1"}}));
+  EXPECT_EQ(json["house"]["tool_version"], "0.0.9");
+}
+
 TEST(ReportTable, IsALineAMethodWithTheSpeedUpOverGeometry) {
   const std::vector<std::string> lines = split(reportTable(exampleReport()), '\n');
   ASSERT_GE(lines.size(), 3u);
