@@ -22,6 +22,7 @@ void addInspectCommand(CLI::App& program, CommandContext& context);
 void addPreprocessCommand(CLI::App& program, CommandContext& context);
 void addTourCommand(CLI::App& program, CommandContext& context);
 void addPlayCommand(CLI::App& program, CommandContext& context);
+void addReportCommand(CLI::App& program, CommandContext& context);
 void addViewCommand(CLI::App& program, CommandContext& context);
 
 }  // namespace enfilade

@@ -64,6 +64,7 @@ void addCommands(CLI::App& program, CommandContext& context) {
   addPreprocessCommand(program, context);
   addTourCommand(program, context);
   addPlayCommand(program, context);
+  addReportCommand(program, context);
   addViewCommand(program, context);
 }
 

@@ -155,6 +155,27 @@ TEST_F(BadInput, AnOutputFolderThatHoldsSomethingElse) {
   EXPECT_EQ(here_.tree(), before_);
 }
 
+TEST_F(BadInput, AReportThatIsNone) {
+  expectRefusal({"report"}, 1, "REPORT is required");
+  expectRefusal({"report", "missing"}, 2, "missing: no such file");
+  expectRefusal({"report", "folder"}, 2, "folder/summary.json: no such file");
+  expectRefusal({"report", "table.csv"}, 2, "table.csv/summary.json: no such file");
+  expectRefusal({"report", "house"}, 2, "house/summary.json: no such file");
+}
+
+TEST_F(BadInput, ATableOfFramesThatIsBrokenOrAPageThatCannotBeWritten) {
+  std::filesystem::create_directory(here_ / "run");
+  writeText(here_ / "run/summary.json", R"({"schema": 1, "frames": 1})");
+  writeText(here_ / "run/frames.csv", "method,frame,frametime_ms\nldi,0,soon\n");
+  before_ = here_.tree();
+  expectRefusal({"report", "run", "run"}, 2, "run/frames.csv: line 2: 'soon' in frametime_ms");
+  writeText(here_ / "run/frames.csv", "method,frame,frametime_ms\nldi,0,1.5\n");
+  expectRefusal({"report", "run", "-o", "new.html"}, 1, "two reports or more");
+  expectRefusal({"report", "run", "run", "-o", "folder"}, 1, "is a folder");
+  expectRefusal({"report", "run", "run", "-o", "table.csv/new.html"}, 3, "table.csv/new.html: ");
+  expectRefusal({"report", "run", "--mangohud", "table.csv/logs"}, 3, "table.csv/logs");
+}
+
 TEST_F(BadInput, ASizeThatIsNone) {
   for (const char* size : {"640", "640x", "0x0", "640x512x2", "99999x10", "axb"}) {
     expectRefusal({"play", "house", "-o", "new", "--size", size}, 1, "no size; write WIDTHxHEIGHT");

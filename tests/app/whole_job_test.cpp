@@ -284,6 +284,31 @@ TEST_F(WholeJob, AReportIsReplacedByTheNext) {
   EXPECT_EQ(bytesBelow("twice").size(), 3u + 4u) << "of every third frame a picture";
 }
 
+TEST_F(WholeJob, TwoReportsAreComparedFrameByFrame) {
+  const Arguments play = {"play",        "house",  "--tour", "tour.json", "--methods",
+                          "culling,ldi", "--size", "80x64",  "-q",        "--splat",
+                          "2x2",         "-o",     "other"};
+  ASSERT_EQ(run(play).status, 0);
+  const ProgramResult text = run({"report", "report", "other", "-o", "compare.html"});
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_NE(text.output.find("\nA and B differ in splat: mean and 2x2\n"), std::string::npos);
+  EXPECT_EQ(text.output, run({"report", "report", "other"}).output) << "the same every time";
+  EXPECT_TRUE(textOf(path("compare.html")).starts_with("<!DOCTYPE html>"));
+  const Json json = Json::parse(run({"report", "report", "other", "--json"}).output);
+  EXPECT_EQ(json["methods"]["ldi"]["changes"][0]["paired_frames"], 12);
+  EXPECT_TRUE(json["methods"]["raycast"]["changes"][0].is_null());
+  EXPECT_EQ(json["differences"], (Json{"A and B differ in splat: mean and 2x2"}));
+}
+
+TEST_F(WholeJob, LogsForOtherViewersAreAFileARunAndMethod) {
+  ASSERT_EQ(run({"report", "report", "--mangohud", "logs", "--presentmon", "captures"}).status, 0);
+  const auto logs = bytesBelow("logs");
+  EXPECT_EQ(logs.size(), 7u);
+  EXPECT_EQ(bytesBelow("captures").size(), 7u);
+  const std::string& log = logs.at("report-warp2.csv");
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 3 + 12);
+}
+
 TEST_F(WholeJob, WithoutATourTheHousesOwnIsPlayed) {
   const ProgramResult result = run({"play", "house", "--methods", "culling", "--size", "32x32",
                                     "--warm-up", "0", "-q", "-o", "own"});
@@ -303,7 +328,7 @@ TEST_F(WholeJob, TheSampleIsRaisedAtTheSizeAskedFor) {
 }
 
 TEST_F(WholeJob, HelpAndVersionAreResults) {
-  for (const char* command : {"sample", "inspect", "preprocess", "tour", "play"}) {
+  for (const char* command : {"sample", "inspect", "preprocess", "tour", "play", "report"}) {
     const ProgramResult help = run({command, "--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.errors, "");
