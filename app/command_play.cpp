@@ -117,6 +117,7 @@ std::vector<std::pair<std::string, std::string>> parametersOf(const PlayOptions&
           {"splat", options.warping.splat},
           {"holes", options.warping.holes},
           {"clip", options.warping.clip},
+          {"gl", glBackendName(options.gl)},
           {"warm-up", std::to_string(options.playback.warm_up)},
           {"shut", options.shut},
           {"open", options.open}};

@@ -28,6 +28,7 @@ function addChart(id, frames, unit, decimals, options, linesOf) {
   const section = byId(id);
   const reading = section.querySelector(".reading");
   let lines = linesOf();
+  const rowOf = (frame) => (frames[frame] === frame ? frame : frames.indexOf(frame));
   const rows = () => frames.map((frame, i) => [frame, ...lines.map((l) => l[1][i] ?? null)]);
   const look = () => ({ labels: ["frame", ...lines.map((l) => l[0])], colors: lines.map((l) => l[2]),
     visibility: lines.map((l) => l[3]), ...chartLook() });
@@ -38,7 +39,7 @@ function addChart(id, frames, unit, decimals, options, linesOf) {
     zoomCallback: () => zoomAll(graph, graph.isZoomed("x") ? graph.xAxisRange() : null) });
   charts.push({ graph,
     read(frame) {
-      const row = frames.indexOf(frame);
+      const row = rowOf(frame);
       reading.textContent = "";
       reading.append(element("b", `frame ${frame}`));
       for (const [label, values, color, visible] of lines) {

@@ -12,11 +12,11 @@ function picturedFrame(frame) {
   return stride * Math.min(Math.round(frame / stride), last);
 }
 
+const heldPictures = [];  // or the browser might let go of them
+
 /// Asks for all small pictures, those near the pointer first, so that they are there when they are pointed at.
-/// They are held, or the browser might let go of them.
 function preloadPictures() {
   const { stride } = data.pictures;
-  const held = [];
   const frames = everyFrame.filter((frame) => frame % stride === 0);
   frames.sort((a, b) => Math.abs(a - pointed) - Math.abs(b - pointed));
   const waiting = frames.flatMap((frame) => methods.map((method) => keptFile(method, frame)));
@@ -26,10 +26,9 @@ function preloadPictures() {
     const image = new Image();
     image.onload = image.onerror = next;
     image.src = file;
-    held.push(image);
+    heldPictures.push(image);
   };
   for (let i = 0; i < 6; ++i) next();
-  return held;
 }
 
 function addPictureFigure(method) {
@@ -58,5 +57,5 @@ function addPictures() {
       if (data.frames_dir) link.href = wholeFile(method, frame);
     }
   });
-  if (data.pictures) addEventListener("load", () => { window.heldPictures = preloadPictures(); });
+  if (data.pictures) addEventListener("load", preloadPictures);
 }
