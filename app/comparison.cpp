@@ -14,7 +14,8 @@ namespace enfilade {
 namespace {
 
 constexpr std::uint64_t kSeed = 1998;
-constexpr std::size_t kResamples = 1000;
+constexpr std::size_t kMostResamples = 1000, kLeastResamples = 100;
+constexpr std::size_t kMostDraws = 20'000'000;  // in all, so that a long walk takes a second
 
 /// The median as statistics.h has it; reorders `values`, at least one.
 double medianOf(std::vector<double>& values) {
@@ -111,7 +112,8 @@ std::pair<double, double> medianInterval(std::span<const double> values) {
   const auto block = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
   std::mt19937_64 random(kSeed);
   std::vector<double> medians, resample;
-  for (std::size_t r = 0; r < kResamples; ++r) {
+  const std::size_t resamples = std::clamp(kMostDraws / n, kLeastResamples, kMostResamples);
+  for (std::size_t r = 0; r < resamples; ++r) {
     resample.clear();
     while (resample.size() < n) {
       const std::size_t start = random() % n;

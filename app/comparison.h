@@ -21,7 +21,8 @@ struct PairedRatio {
 std::optional<PairedRatio> pairedRatio(const RecordedMethod& before, const RecordedMethod& after);
 
 /// A 95 % interval for the median of a series whose neighbours are alike, by a circular block
-/// bootstrap: 1,000 resamples of blocks of about √n.  The same every time.
+/// bootstrap: 1,000 resamples (fewer of more than 20,000 values) of blocks of about √n.  The same
+/// every time.
 /// Source: Politis & Romano, A Circular Block-Resampling Procedure for Stationary Data, 1992.
 std::pair<double, double> medianInterval(std::span<const double> values);
 

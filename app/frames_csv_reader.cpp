@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write it
 constexpr std::size_t kShownLength = 40;                     // of a broken cell, in a message
+constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kMostMethods = 64;
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20; }
 
 std::vector<std::string_view> cellsOf(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -87,9 +91,13 @@ class FramesTable {
 
   RecordedMethod& methodNamed(std::string_view name, std::size_t line) {
     if (name.empty()) fail(line, "names no method");
+    if (name.size() > kLongestName || std::any_of(name.begin(), name.end(), isControl)) {
+      fail(line, "has no method's name in its first cell");
+    }
     const auto found = std::find_if(methods_.begin(), methods_.end(),
                                     [&](const RecordedMethod& m) { return m.name == name; });
     if (found != methods_.end()) return *found;
+    if (methods_.size() == kMostMethods) fail(line, "names more methods than there can be");
     methods_.push_back({std::string(name), {}, {}});
     return methods_.back();
   }

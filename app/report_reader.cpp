@@ -15,17 +15,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;  // [bytes]
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;  // [bytes]
 constexpr int kSchema = 1;
 
 std::string textOf(const std::string& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > kLargestFile) {
-    throw Error(ErrorKind::kBadInput, file, "is larger than 256 MiB, too large for a report");
+    throw Error(ErrorKind::kBadInput, file, "is larger than 64 MiB, too large for a report");
   }
   const std::vector<std::uint8_t> bytes = readFile(file);
   return {bytes.begin(), bytes.end()};
+}
+
+/// Without what would move a terminal's cursor.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return text;
 }
 
 /// A summary.json, asked for what it says.
@@ -47,7 +54,7 @@ class SummaryFile {
   std::string text(const std::string& path) const {
     const Json* value = at(path);
     if (value == nullptr || value->is_null()) return {};
-    if (value->is_string()) return value->get<std::string>();
+    if (value->is_string()) return printable(value->get<std::string>());
     if (value->is_structured()) fail("has no plain value at " + path);
     return value->dump();
   }
@@ -66,7 +73,8 @@ class SummaryFile {
     if (object == nullptr) return all;
     if (!object->is_object()) fail("has no object at " + path);
     for (const auto& [key, value] : object->items()) {
-      all.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+      all.emplace_back(printable(key),
+                       printable(value.is_string() ? value.get<std::string>() : value.dump()));
     }
     return all;
   }

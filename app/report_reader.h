@@ -44,7 +44,7 @@ struct RecordedRun {
 };
 
 /// Reads summary.json and frames.csv of a folder.  Throws Error (kBadInput) that names the file
-/// and, in a table, the line: missing, too large (256 MiB), another schema, not JSON, a column that
+/// and, in a table, the line: missing, too large (64 MiB), another schema, not JSON, a column that
 /// is missing, a row of another length, something that is no number, a frame that is there twice.
 RecordedRun readReport(const std::string& folder);
 

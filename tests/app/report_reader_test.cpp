@@ -74,8 +74,16 @@ TEST(FramesCsvReader, NamesTheLineOfABrokenRow) {
   expect("ldi,-1,1.5,10", "'-1' is no frame's number");
   expect("ldi,0,1.5,10", "frame 0 of ldi stands after frame 0");
   expect(",1,1.5,10", "names no method");
+  expect("l\x1b[2Jdi,1,1.5,10", "has no method's name in its first cell");
+  expect(std::string(5000, 'm') + ",1,1.5,10", "has no method's name in its first cell");
   expect("ldi,1," + std::string(5000, 'x') + ",10",
          "'" + std::string(40, 'x') + "' in frametime_ms is no number");
+}
+
+TEST(FramesCsvReader, RefusesARowAMethod) {
+  std::string csv = kHead;
+  for (int i = 0; i < 100; ++i) csv += "m" + std::to_string(i) + ",0,1.5,10\n";
+  EXPECT_EQ(complaintOf(csv), "frames.csv: line 66: names more methods than there can be");
 }
 
 TEST(FramesCsvReader, RefusesATableThatIsNone) {
@@ -148,8 +156,8 @@ TEST_F(ReportReader, SummariesThatAreDeepOrOfOtherShapesDoNoHarm) {
 }
 
 TEST_F(ReportReader, RefusesAHugeFileWithoutReadingIt) {
-  std::filesystem::resize_file(here_ / "frames.csv", std::uintmax_t{300} << 20);  // sparse
-  EXPECT_EQ(complaint(), here_ / "frames.csv" + ": is larger than 256 MiB, too large for a report");
+  std::filesystem::resize_file(here_ / "frames.csv", std::uintmax_t{65} << 20);  // sparse
+  EXPECT_EQ(complaint(), here_ / "frames.csv" + ": is larger than 64 MiB, too large for a report");
 }
 
 }  // namespace
