@@ -157,14 +157,20 @@ void requireSomeOutput(const PlayOptions& options) {
               "'enfilade play --help'");
 }
 
-/// The film that is asked for, if one is.  One within the report's folder is staged with it.
+/// Where to write what is to stand at `path` in the end: what lies within the report's folder is
+/// staged with it, since that folder takes the place of the one before.
+std::string stagedPath(const std::string& path, const PlayOptions& options,
+                       const std::optional<StagedFolder>& report) {
+  const std::string within = relativeTo(options.output, path);
+  return within.empty() || within.starts_with("..") ? path : report->path() + "/" + within;
+}
+
+/// The film that is asked for, if one is.
 std::optional<Film> filmFor(const PlayOptions& options, const std::optional<StagedFolder>& report,
                             const glm::ivec2& size) {
   if (options.film.file.empty()) return std::nullopt;
-  std::string output = options.film.file;
-  const std::string within = relativeTo(options.output, output);
-  if (!within.empty() && !within.starts_with("..")) {
-    output = report->path() + "/" + within;
+  const std::string output = stagedPath(options.film.file, options, report);
+  if (output != options.film.file) {
     createFolders(std::filesystem::path(output).parent_path().string());
   }
   return std::optional<Film>(std::in_place, options.film, output, options.playback.methods, size);
@@ -237,6 +243,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   if (report.threads == 0) report.threads = report.machine.cores;
   if (folder) keepPictures(folder->path(), walk.frames(), warping, options);
   report.picture_stride = options.playback.keeper.stride();
+  options.playback.frames_dir = stagedPath(options.playback.frames_dir, options, folder);
   playAndFilm(painter, walk, film_walk, options.playback, film, context.quiet, report);
   if (folder) writeReport(report, *folder);
   printResult(reportTable(report) + (film ? film->description() : "") +

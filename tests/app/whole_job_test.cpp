@@ -337,5 +337,17 @@ TEST_F(WholeJob, HelpAndVersionAreResults) {
   EXPECT_EQ(run({"--version"}).output, "enfilade 0.1.0\n");
 }
 
+TEST_F(WholeJob, FramesWithinTheReportsFolderAreKeptInEveryRun) {
+  for (const char* method : {"culling", "geometry"}) {
+    const ProgramResult result =
+        run({"play", "house", "--tour", "tour.json", "--methods", method, "--size", "32x32",
+             "--frames-dir", "inside/frames", "-q", "-o", "inside"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(fs::exists(path("inside/frames/" + std::string(method) + "/frame-00011.png")));
+    EXPECT_TRUE(fs::exists(path("inside/report.html")));
+  }
+  EXPECT_FALSE(fs::exists(path("inside/frames/culling"))) << "of the report before";
+}
+
 }  // namespace
 }  // namespace enfilade
