@@ -101,9 +101,8 @@ struct GlfwWindow::Callbacks {
                    : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::kRight
                                                        : MouseButton::kOther;
     event.shift = (mods & GLFW_MOD_SHIFT) != 0;
-    glm::dvec2 at(0);
-    glfwGetCursorPos(window, &at.x, &at.y);
-    event.at = toPixels(window, at);
+    // Where it was then: by now it may be elsewhere.
+    event.at = toPixels(window, of(window).pointer_);
     of(window).events_.push_back(event);
   }
 
@@ -159,6 +158,7 @@ GlfwWindow::~GlfwWindow() {
 
 void GlfwWindow::listen() {
   glfwSetWindowUserPointer(window_, this);
+  glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
   glfwSetKeyCallback(window_, &Callbacks::onKey);
   glfwSetCharCallback(window_, &Callbacks::onText);
   glfwSetCursorPosCallback(window_, &Callbacks::onPointer);

@@ -70,6 +70,7 @@ void drawGraph(OverlayPainter& overlay, const Theme& theme, const PixelBox& box,
     if (guide > full) continue;
     const float y = box.high.y - heightOf(guide);
     overlay.line({box.low.x, y}, {box.high.x, y}, theme.scale, {1, 1, 1, 0.35f});
+    if (heightOf(1000.0 / 60) < 12 * theme.scale) continue;  // no room for their names
     overlay.text(fmt::format("{:.0f} a second", 1000 / guide), {box.low.x + 3 * theme.scale, y},
                  {10 * theme.scale, FontFace::kRegular, {1, 1, 1, 0.6f}});
   }

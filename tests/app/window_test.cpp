@@ -205,6 +205,44 @@ TEST_F(Window, EveryViewOfHowAPictureIsMadeChangesIt) {
   quit();
 }
 
+TEST_F(Window, TheLineBetweenTwoMethodsGoesWhereItIsDragged) {
+  openRooms({"--size", "640x480", "--method", "culling"});
+  act("key Tab key x sleep 0.5");
+  act("mousemove 320 300 mousedown 1 mousemove 300 300 mousemove 200 300 mouseup 1 sleep 0.5");
+  act("key Escape sleep 0.3");
+  const Image kept = picture("shift+F12");
+  ASSERT_EQ(kept.width, 640);
+  int line = -1;  // the column that is orange from top to bottom
+  for (int x = 0; x < kept.width && line < 0; ++x) {
+    bool orange = true;
+    for (int y = 0; y < kept.height; y += 40) {
+      const std::uint8_t* p = &kept.rgba[4 * static_cast<std::size_t>(y * kept.width + x)];
+      orange = orange && p[0] > 230 && p[1] > 160 && p[1] < 200 && p[2] < 90;
+    }
+    if (orange) line = x;
+  }
+  EXPECT_NEAR(line, 200, 3);
+  quit();
+}
+
+TEST_F(Window, AClickOnThePlanGoesThere) {
+  openRooms({"--size", "640x480", "--method", "culling"});
+  act("mousemove 330 200 sleep 0.2");
+  // The plan's lower right corner is 22 pixels from the window's, 2 m outside the rooms.
+  act("key r sleep 0.3 mousemove 560 400 click 1 sleep 0.5 key r");
+  const std::vector<std::string> files = keptFiles(".json", 1);
+  ASSERT_FALSE(files.empty());
+  const CameraPath path = readCameraPath(files.front());
+  const glm::vec3 before = path.poses.front().pose.position;
+  const glm::vec3 after = path.poses.back().pose.position;
+  EXPECT_GT(glm::length(after - before), 1.0f);
+  const House house = colouredTwoRooms();
+  const CellLocation where = locate(house.graph, house.grid, after);
+  EXPECT_TRUE(where.in_free_space);
+  EXPECT_NE(where.cell, kExterior);
+  quit();
+}
+
 TEST_F(Window, FollowsItsSizeAndRemembersIt) {
   openRooms({"--size", "320x256", "--method", "warp"});
   act("search --name '^Enfilade: rooms$' windowsize 500 300 sleep 0.5");
