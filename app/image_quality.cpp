@@ -12,7 +12,7 @@ namespace {
 
 std::size_t pixelCount(const Image& image) { return image.rgba.size() / 4; }
 
-bool sameSize(const Image& a, const Image& b) {
+[[maybe_unused]] bool sameSize(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size();
 }
 
