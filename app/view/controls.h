@@ -23,7 +23,6 @@ struct Steering {
 /// two frames counts as held for one, so that no press is lost however slow the frames are.
 class Controls {
  public:
-  /// `window_height`: [pixels] of it, that many of the mouse turn by as much as is seen.
   void take(const WindowEvent& event, bool pointer_held);
   void take(const GamepadState& pad, std::vector<Command>& commands);
 

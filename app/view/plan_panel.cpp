@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "app/floor_plan.h"
 
 namespace enfilade {
 
 namespace {
 
 constexpr float kSide = 270;          // [pixels of an ordinary screen] of the longer side
-constexpr float kAround = 2.0f;       // [m] of ground that the plan shows around the house
+constexpr float kAround = 1.0f;       // [m] that the plan shows around what that of inspect does
 constexpr float kSliceHeight = 1.2f;  // [m] above a floor
 constexpr int kSlot = 10;             // of the overlay's pictures
 
@@ -35,20 +36,9 @@ Rgb cellColor(CellId cell, bool seen) {
 }  // namespace
 
 PlanPanel::PlanPanel(const House& house) : house_(house) {
-  glm::vec2 low(std::numeric_limits<float>::infinity()), high(-low);
-  for (std::size_t c = 1; c < house.graph.cells.size(); ++c) {
-    const Box& bounds = house.graph.cells[c].bounds;
-    if (bounds.empty()) continue;
-    low = glm::min(low, glm::vec2(bounds.min.x, bounds.min.z) - kAround);
-    high = glm::max(high, glm::vec2(bounds.max.x, bounds.max.z) + kAround);
-  }
-  if (low.x > high.x) {
-    const CellGrid& grid = house.grid;
-    low = {grid.origin().x, grid.origin().z};
-    high = low + grid.voxel() * glm::vec2(grid.size().x, grid.size().z);
-  }
-  low_ = low;
-  high_ = high;
+  const PlanCrop crop = planCrop(house);
+  low_ = crop.low - kAround;
+  high_ = crop.high + kAround;
   pages_.resize(house.graph.storeys.size());
 }
 

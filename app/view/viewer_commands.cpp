@@ -1,14 +1,11 @@
 // What the viewer does when it is told to.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/view/viewer.h"
 #include "portals/open_doors.h"
-#include "scene/error.h"
 
 namespace enfilade {
 
@@ -192,47 +189,6 @@ void Viewer::toggleFreeze() {
   toast_.say("Culling is frozen: walk or fly (F) away and look at what is drawn");
 }
 
-void Viewer::toggleRecording() {
-  if (!recorder_) {
-    trail_.clear();
-    recorder_.emplace(RecorderParameters{.vertical_fov = fov_, .name = house_.info.model_name});
-    // A path moves doors from how they stand in the house.
-    recorder_->addDoors(clock_, stored_);
-    recorder_->addDoors(clock_, open_);
-    return toast_.say("Recording; R again keeps the path");
-  }
-  path_ = recorder_->path();
-  recorder_.reset();
-  if (path_->poses.empty()) {
-    path_.reset();
-    return toast_.say("Nothing was recorded");
-  }
-  const std::string name = keepName("");
-  try {
-    writeCameraPath(name + ".json", *path_);
-    writeTumPath(name + ".tum", *path_);
-    writeGltfPath(name + ".gltf", *path_);
-    toast_.say(fmt::format("{} frames kept as {}.json, .tum and .gltf; T plays them",
-                           path_->poses.size(), name));
-  } catch (const Error& error) {
-    toast_.say(error.what());
-  }
-}
-
-void Viewer::toggleTour() {
-  if (playing_) {
-    playing_.reset();
-    return;
-  }
-  if (!path_) return toast_.say("No path to play: record one with R, or begin with --tour FILE");
-  try {
-    playing_ = std::make_unique<PathPlayer>(*path_, house_, options_.tour);
-  } catch (const Error& error) {
-    return toast_.say(error.what());
-  }
-  play_time_ = 0;
-}
-
 void Viewer::goTo(CellId cell) {
   playing_.reset();
   held_pose_.reset();
@@ -255,32 +211,6 @@ void Viewer::changeFieldOfView(float degrees) {
   const float now = std::clamp(glm::degrees(fov_) + degrees, kNarrowest, kWidest);
   fov_ = glm::radians(now);
   toast_.say(fmt::format("Field of view {:.0f}° from top to bottom", now));
-}
-
-std::string Viewer::keepName(const std::string& extension) const {
-  const std::time_t now = std::time(nullptr);
-  const std::string base =
-      options_.keep_in + fmt::format("/enfilade-{:%Y%m%d-%H%M%S}", fmt::localtime(now));
-  std::string name = base;
-  for (int i = 2; std::filesystem::exists(name + (extension.empty() ? ".json" : extension)); ++i) {
-    name = fmt::format("{}-{}", base, i);
-  }
-  return name + extension;
-}
-
-void Viewer::keepPicture() {
-  const glm::ivec2 size = glm::max(window_.size(), 1);
-  painter_.resize(size.x, size.y);
-  painter_.paint(left_.method, camera(size));
-  Image picture;
-  painter_.read(picture);
-  const std::string name = keepName(".png");
-  try {
-    writePng(name, picture);
-    toast_.say("Kept as " + name);
-  } catch (const Error& error) {
-    toast_.say(error.what());
-  }
 }
 
 }  // namespace enfilade

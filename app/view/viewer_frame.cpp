@@ -7,7 +7,6 @@
 #include "app/view/status_panel.h"
 #include "app/view/viewer.h"
 #include "app/view/world_marks.h"
-#include "scene/error.h"
 
 namespace enfilade {
 
@@ -139,17 +138,6 @@ void Viewer::paintPanels(const Camera& camera) {
   marks.pointer = freePointer();
   if (recorder_.has_value()) marks.path = &trail_;
   plan_.draw(overlay_, theme_, overlay_.size() - glm::vec2(margin), marks);
-}
-
-void Viewer::keepWindow() {
-  const std::string name = *keep_window_as_;
-  keep_window_as_.reset();
-  try {
-    writePng(name, overlay_.read());
-    toast_.say("Kept as " + name);
-  } catch (const Error& error) {
-    toast_.say(error.what());
-  }
 }
 
 }  // namespace enfilade
