@@ -158,6 +158,16 @@ TEST_F(WholeJob, TheTourHasItsFramesAndTumHoldsTheSamePoses) {
   }
 }
 
+TEST_F(WholeJob, TheTourIsInTheFormatThatItsFileIsNamedAfter) {
+  for (const char* name : {"t.tum", "t.gltf", "t.glb"}) {
+    ASSERT_EQ(run({"tour", "house", "-o", name, "--frames", "12", "-q"}).status, 0) << name;
+    EXPECT_EQ(readCameraPath(path(name)).poses.size(), 12u) << name;
+  }
+  EXPECT_TRUE(textOf(path("t.tum")).starts_with("#"));
+  EXPECT_TRUE(textOf(path("t.gltf")).starts_with("{"));
+  EXPECT_TRUE(textOf(path("t.glb")).starts_with("glTF"));
+}
+
 TEST_F(WholeJob, TheReportIsWhole) {
   EXPECT_EQ(bytesBelow("report").size(), 4u + 7u * 12u);
   const std::string csv = textOf(path("report/frames.csv"));
