@@ -73,7 +73,7 @@ OverlayPainter::~OverlayPainter() {
 
 /// An empty atlas but for the white pixel that boxes and lines are drawn with.
 void OverlayPainter::clearAtlas() {
-  bind(atlas_, glm::ivec2(kAtlasSide), false);
+  atlas_.bind(gl_, glm::ivec2(kAtlasSide), false);
   const std::vector<std::uint8_t> empty(std::size_t{4} * kAtlasSide * kAtlasSide, 0);
   const std::uint8_t white[4] = {255, 255, 255, 255};
   gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kAtlasSide, kAtlasSide, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -82,21 +82,6 @@ void OverlayPainter::clearAtlas() {
   pen_ = {2, 0};
   row_height_ = 2;
   for (auto& [key, letters] : letters_) letters->places.clear();
-}
-
-void OverlayPainter::bind(Texture& texture, const glm::ivec2& size, bool smooth) {
-  if (texture.name == 0) gl_.GenTextures(1, &texture.name);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, texture.name);
-  const GLint filter = smooth ? GL_LINEAR : GL_NEAREST;
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  if (texture.size == size) return;
-  texture.size = size;
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
 }
 
 void OverlayPainter::begin(const glm::ivec2& window) {
@@ -233,10 +218,10 @@ void OverlayPainter::picture(const PixelBox& box, const Image& picture, int slot
                              bool smooth) {
   if (picture.rgba.empty()) return;
   flush();
-  Texture& texture = pictures_[slot];
+  PictureTexture& texture = pictures_[slot];
   const glm::ivec2 size(picture.width, picture.height);
   changed |= texture.size != size;
-  bind(texture, size, smooth);
+  texture.bind(gl_, size, smooth);
   if (changed) {
     gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                       picture.rgba.data());

@@ -9,6 +9,7 @@
 
 #include "render/font.h"
 #include "render/gl_context.h"
+#include "render/picture_texture.h"
 #include "scene/image.h"
 
 namespace enfilade {
@@ -74,10 +75,6 @@ class OverlayPainter {
     glm::vec2 texcoord;
     glm::vec4 color;
   };
-  struct Texture {
-    GLuint name = 0;
-    glm::ivec2 size{0};
-  };
   struct Place {
     glm::ivec2 low{0}, size{0};  // in the atlas
   };
@@ -88,7 +85,6 @@ class OverlayPainter {
   void use(GLuint texture);
   Letters& letters(const TextStyle& style);
   Place place(Letters& letters, char32_t character, const Glyph& glyph);
-  void bind(Texture& texture, const glm::ivec2& size, bool smooth);
   void clearAtlas();
 
   GlContext& context_;
@@ -97,12 +93,12 @@ class OverlayPainter {
   GLuint program_ = 0, vertex_array_ = 0, buffer_ = 0;
   GLint to_clip_ = -1;
   std::vector<Vertex> vertices_;
-  GLuint in_use_ = 0;  // the texture of vertices_
-  Texture atlas_;      // glyphs, and a white pixel at (0, 0)
-  glm::ivec2 pen_{0};  // where the next glyph goes
+  GLuint in_use_ = 0;     // the texture of vertices_
+  PictureTexture atlas_;  // glyphs, and a white pixel at (0, 0)
+  glm::ivec2 pen_{0};     // where the next glyph goes
   int row_height_ = 0;
   std::map<std::pair<int, FontFace>, std::unique_ptr<Letters>> letters_;  // by size and face
-  std::map<int, Texture> pictures_;
+  std::map<int, PictureTexture> pictures_;
 };
 
 }  // namespace enfilade

@@ -37,37 +37,20 @@ PolygonPainter::~PolygonPainter() {
   gl_.DeleteProgram(mark_program_);
   gl_.DeleteVertexArrays(1, &vertex_array_);
   gl_.DeleteBuffers(1, &buffer_);
-  for (const Texture& texture : textures_) gl_.DeleteTextures(1, &texture.name);
+  for (const PictureTexture& texture : textures_) gl_.DeleteTextures(1, &texture.name);
   for (const auto& [key, kept] : kept_) gl_.DeleteTextures(1, &kept.texture.name);
 }
 
 void PolygonPainter::bindTexture(int width, int height, bool by_pixel) {
   if (used_ == textures_.size()) textures_.emplace_back();
-  bind(textures_[used_++], width, height, by_pixel);
-}
-
-void PolygonPainter::bind(Texture& texture, int width, int height, bool by_pixel) {
-  if (texture.name == 0) gl_.GenTextures(1, &texture.name);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, texture.name);
-  gl_.BindSampler(0, 0);
-  const GLint filter = by_pixel ? GL_NEAREST : GL_LINEAR;
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  if (texture.width == width && texture.height == height) return;
-  texture.width = width;
-  texture.height = height;
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  textures_[used_++].bind(gl_, {width, height}, !by_pixel);
 }
 
 void PolygonPainter::bindKept(const Image& image, std::uint64_t key) {
   KeptTexture& kept = kept_[key];
   const bool is_new = kept.texture.name == 0;
   kept.frame = frame_;
-  bind(kept.texture, image.width, image.height, false);
+  kept.texture.bind(gl_, {image.width, image.height}, true);
   if (!is_new) return;
   gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
                     image.rgba.data());

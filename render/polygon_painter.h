@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gl_functions.h"
+#include "render/picture_texture.h"
 #include "render/renderer.h"
 
 namespace enfilade {
@@ -45,15 +46,10 @@ class PolygonPainter {
     glm::vec3 position;
     glm::vec2 texcoord;
   };
-  struct Texture {
-    GLuint name = 0;
-    int width = 0;
-    int height = 0;
-  };
 
   /// A texture that stays uploaded from frame to frame.
   struct KeptTexture {
-    Texture texture;
+    PictureTexture texture;
     std::size_t bytes = 0;
     std::uint64_t frame = 0;  ///< when it was drawn last
   };
@@ -62,7 +58,6 @@ class PolygonPainter {
   /// `texcoords`: one a corner, or none.
   void addTriangles(std::span<const glm::vec3> polygon, std::span<const glm::vec2> texcoords);
   void setAlphaOfAll(float alpha);
-  void bind(Texture& texture, int width, int height, bool by_pixel);
   void bindKept(const Image& image, std::uint64_t key);
   void dropOldTextures();
   void drawTriangles(GLuint program, const glm::mat4& clip_from_world);
@@ -74,7 +69,7 @@ class PolygonPainter {
   GLuint vertex_array_ = 0;
   GLuint buffer_ = 0;
   std::vector<Vertex> triangles_;
-  std::vector<Texture> textures_;  // one for each use in a frame, kept for the next
+  std::vector<PictureTexture> textures_;  // one for each use in a frame, kept for the next
   std::size_t used_ = 0;
   std::map<std::uint64_t, KeptTexture> kept_;  // by key
   std::size_t kept_bytes_ = 0;

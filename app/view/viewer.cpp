@@ -32,6 +32,7 @@ Viewer::Viewer(GlfwWindow& window, WalkableHouse& walkable, const ViewOptions& o
       overlay_(window),
       plan_(house_),
       chooser_(house_.graph),
+      lens_(walkingCamera(house_, 1, 1, 1)),
       fov_(glm::radians(options.settings.fov_degrees)),
       speed_(options.settings.speed),
       closable_(closablePortals(house_)),
@@ -66,13 +67,14 @@ ViewSettings Viewer::settings() const {
 void Viewer::run() {
   Stopwatch watch;
   bool idle = true;
+  GamepadState pad = window_.gamepad();
   while (!window_.shouldClose()) {
-    const bool has_pad = window_.gamepad().there;
-    const double wait = !idle ? 0 : has_pad ? kGamepadWait : kIdleWait;
+    const double wait = !idle ? 0 : pad.there ? kGamepadWait : kIdleWait;
     const bool toasted = toast_.shows();
     for (const WindowEvent& event : window_.takeEvents(wait)) take(event);
     std::vector<Command> commands;
-    controls_.take(window_.gamepad(), commands);
+    pad = window_.gamepad();
+    controls_.take(pad, commands);
     for (const Command& command : commands) perform(command);
     const auto passed = static_cast<float>(watch.lapMs() / 1000);
     // Whoever begins to move after a rest has not moved while waiting.

@@ -116,8 +116,9 @@ class Viewer {
   std::optional<Camera> frozen_;
   bool show_help_ = false, show_panels_ = true;
   glm::vec2 pointer_{0};
-  float fov_;                      // [rad]
-  float speed_;                    // [m/s]
+  Camera lens_;  // all of it but pose, field of view and shape: its far plane takes long to find
+  float fov_;    // [rad]
+  float speed_;  // [m/s]
   std::optional<Pose> held_pose_;  // of a path, until one moves by oneself
   bool moving_ = false;
   bool stale_ = true;                 // the window shows what is no more

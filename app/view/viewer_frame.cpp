@@ -17,7 +17,10 @@ constexpr float kFrustumShown = 4;  // [m]
 }  // namespace
 
 Camera Viewer::camera(const glm::ivec2& size) const {
-  Camera camera = walkingCamera(house_, fov_, std::max(size.x, 1), std::max(size.y, 1));
+  const glm::vec2 shape(glm::max(size, 1));
+  Camera camera = lens_;
+  camera.vertical_fov = fov_;
+  camera.aspect = shape.x / shape.y;
   camera.pose = pose();
   return camera;
 }
