@@ -5,6 +5,7 @@
 #include "app/stopwatch.h"
 #include "portals/leaf_cover.h"
 #include "scene/error.h"
+#include "visibility/eye_culling.h"
 
 namespace enfilade {
 
@@ -131,7 +132,6 @@ const PortalImages& FramePainter::imagesOf(const MethodInfo& method) const {
 
 VisibleSet FramePainter::cull(const View& view, const MethodInfo& method,
                               const std::optional<PortalSide>& as_geometry) const {
-  const CellId eye_cell = locate(house_.graph, house_.grid, view.eye).cell;
   ShowAsImage show_as_image;
   if (method.portal_images) {
     const PortalImages& images = imagesOf(method);
@@ -141,7 +141,7 @@ VisibleSet FramePainter::cull(const View& view, const MethodInfo& method,
              isBeyondSwitch(house_, view.eye, id, from_front);
     };
   }
-  return cullByPortals(house_.graph, view, eye_cell, show_as_image);
+  return cullFromEye(house_.graph, house_.grid, view, show_as_image);
 }
 
 VisibleSet FramePainter::cullAndMake(const View& view, const MethodInfo& method,

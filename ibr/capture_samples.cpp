@@ -23,9 +23,9 @@ float gentlestSlope(const BlockGrid& grid, const CaptureSample& at, std::size_t 
       const float step = other.*along - at.*along;
       const float slope = (other.disparity - at.disparity) / step;
       // No branch on which is gentler: on a smooth surface that is chance.
-      const bool is_gentler =
-          (std::abs(slope) < std::abs(gentlest)) & (std::abs(step) >= kLeastStep);
-      gentlest = is_gentler ? slope : gentlest;
+      const int is_gentler = std::abs(slope) < std::abs(gentlest);
+      const int is_apart = std::abs(step) >= kLeastStep;
+      gentlest = (is_gentler & is_apart) != 0 ? slope : gentlest;
     }
   }
   return gentlest == steepest ? 0.0f : gentlest;

@@ -103,7 +103,7 @@ HWY_INLINE void store(const V& v, T* to) {
 HWY_INLINE void addToSums(Sums2 color, Int4 use, Int4 front, std::uint64_t* sums) {
   constexpr std::uint16_t kMost = 256;  // of which sixteen bits hold the sum
   const Sums2 before = load<Sums2>(sums);
-  const Sums2 counts = __builtin_shuffle(before, Sums2{3, 3, 3, 3, 7, 7, 7, 7});
+  const Sums2 counts = __builtin_shufflevector(before, before, 3, 3, 3, 3, 7, 7, 7, 7);
   const Sums2 has_room = (Sums2)(counts < kMost) | (Sums2)front;
   store<Sums2>((before & ~(Sums2)front) + (color & (Sums2)use & has_room), sums);
 }
@@ -120,10 +120,10 @@ HWY_INLINE void addToMeans(Sums2 color, float disparity, int x0, int x1, std::ui
     const Int4 front = (seen * R::kSameSurface < disparity) & use;
     const Int4 kept = (Int4)seen & ~front;
     store<Int4>(kept | ((Int4)(Float4{} + disparity) & front), nearest + x);
-    addToSums(color, __builtin_shuffle(use, Int4{0, 0, 1, 1}),
-              __builtin_shuffle(front, Int4{0, 0, 1, 1}), sums + x);
-    addToSums(color, __builtin_shuffle(use, Int4{2, 2, 3, 3}),
-              __builtin_shuffle(front, Int4{2, 2, 3, 3}), sums + x + 2);
+    addToSums(color, __builtin_shufflevector(use, use, 0, 0, 1, 1),
+              __builtin_shufflevector(front, front, 0, 0, 1, 1), sums + x);
+    addToSums(color, __builtin_shufflevector(use, use, 2, 2, 3, 3),
+              __builtin_shufflevector(front, front, 2, 2, 3, 3), sums + x + 2);
   }
 }
 

@@ -22,6 +22,39 @@ const std::vector<glm::dvec2> kBalusterProfile{{0.8, 0},    {0.8, 0.04},  {0.5, 
                                                {1, 0.27},   {0.75, 0.42}, {0.42, 0.62}, {0.36, 0.8},
                                                {0.6, 0.86}, {0.36, 0.92}, {0.6, 1}};
 
+/// Both sides of a flight: `outline` holds (z, y) counter-clockwise as seen from +x, and may be
+/// fanned out from its first.
+void raiseSides(double half, const std::vector<glm::dvec2>& outline, MeshBuilder& mesh) {
+  const auto corner = [&](double x, const glm::dvec2& p) {
+    return Corner{{x, p.y, p.x}, {p.x, -p.y}, 1};
+  };
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    const glm::dvec2 &a = outline[0], &b = outline[i - 1], &c = outline[i];
+    mesh.flatTriangle(corner(half, a), corner(half, b), corner(half, c));
+    mesh.flatTriangle(corner(-half, a), corner(-half, c), corner(-half, b));
+  }
+}
+
+/// A step of a flight, `i` steps up.  Where its sides meet those of the steps before and behind it
+/// and the edges of its tread they have the same corners: no light shows through a joint.
+void raiseStep(int i, double half, double rise, double tread, MeshBuilder& mesh) {
+  const double top = (i + 1) * rise, under = top - kTread, front = -i * tread, back = front - tread;
+  mesh.box({-half, top - rise, back}, {half, under, front}, "Z");
+  mesh.box({-half, under, back}, {half, top, front + kNosing}, "YZ");
+  mesh.box({-half, under, front}, {half, top, front + kNosing}, "y");
+  raiseSides(half,
+             {{back, top},
+              {front + kNosing, top},
+              {front + kNosing, under},
+              {front, under},
+              {back, under}},
+             mesh);
+  std::vector<glm::dvec2> below{{back, 0}, {back, under}, {front, under}};
+  if (i > 0) below.insert(below.end(), {{front, top - rise}, {front, under - rise}});
+  below.emplace_back(front, 0);
+  raiseSides(half, below, mesh);
+}
+
 /// A flight that rises toward −z from z = 0, solid below.  The last riser is the edge of the floor
 /// that it leads to, which is not its own.
 Shape makeStairs(const ShapeNumbers& n) {
@@ -29,12 +62,7 @@ Shape makeStairs(const ShapeNumbers& n) {
   const int risers = static_cast<int>(std::lround(n.at("steps")));
   const double rise = n.at("height") / risers, tread = n.at("run") / (risers - 1);
   return {{}, [=](MeshBuilder& mesh) {
-            for (int i = 0; i + 1 < risers; ++i) {
-              const double y = i * rise, top = y + rise, front = -i * tread, back = front - tread;
-              mesh.box({-half, y, back}, {half, top - kTread, front}, "Z");
-              mesh.box({-half, top - kTread, back}, {half, top, front + kNosing}, "XxyYZ");
-              mesh.box({-half, 0, back}, {half, top - kTread, front}, "Xx");
-            }
+            for (int i = 0; i + 1 < risers; ++i) raiseStep(i, half, rise, tread, mesh);
             const double end = -(risers - 1) * tread;
             mesh.box({-half, 0, end}, {half, (risers - 1) * rise - kTread, end}, "z");
           }};

@@ -20,6 +20,9 @@ namespace {
 // A voxel beside one that is touched counts: faces stand on the border of free space [voxels].
 constexpr double kBeside = 1.0;
 
+// Cells this near [m] may see what no free voxel stands beside.
+constexpr double kHiddenReach = 1.0;
+
 // Voxels that a portal cuts, with the cells on its two sides.
 using CutSides = std::vector<std::pair<std::size_t, std::array<CellId, 2>>>;
 
@@ -112,9 +115,11 @@ PatchCells claimByTouch(const Building& building, const Patches& patches, const 
     for (std::uint8_t& flag : claimed) flag = flag != 0;
   };
   claimAll(kBeside, false);
-  // What stands inside walls: to the nearest cell, so that no triangle is lost; sight lines may add
-  // more.
-  for (double growth = 2; growth <= 64; growth *= 2) claimAll(growth, true);
+  // What stands inside walls and furniture: to all cells near by, for each may look into its
+  // cracks; with none, to the nearest, so that no triangle is lost.  Sight lines may add more.
+  for (double growth = kHiddenReach / voxels.voxel; growth <= 64; growth *= 2) {
+    claimAll(growth, true);
+  }
   for (std::uint32_t p = 0; p < patches.count; ++p) {
     if (!claimed[p]) out.claims.push_back({p, kExterior});
   }

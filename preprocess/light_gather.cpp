@@ -37,13 +37,12 @@ class Gatherer {
   Gatherer(const Building& building, const LightPoints& points, const LightSides& sides,
            const LightRays& rays, std::span<const SkyPortal> portals,
            const LightParameters& parameters)
-      : building_(building),
-        points_(points),
+      : points_(points),
         sides_(sides),
         rays_(rays),
         parameters_(parameters),
         lamps_(building, rays),
-        windows_(portals, rays, parameters.sky),
+        windows_(portals, rays),
         counts_(rayCounts(points, parameters)),
         large_(lightSamples(counts_.large)),
         detail_(lightSamples(counts_.detail)) {}
@@ -132,7 +131,6 @@ class Gatherer {
     });
   }
 
-  const Building& building_;
   const LightPoints& points_;
   const LightSides& sides_;
   const LightRays& rays_;

@@ -23,8 +23,8 @@ struct WindowView {
 class Windows {
  public:
   /// All must outlive it.
-  Windows(std::span<const SkyPortal> portals, const LightRays& rays, const SkyLight& sky)
-      : portals_(portals), rays_(rays), sky_(sky) {}
+  Windows(std::span<const SkyPortal> portals, const LightRays& rays)
+      : portals_(portals), rays_(rays) {}
 
   /// Looks `count` times through the portals whose inner side `point` is on, the oftener through
   /// one the more light it would let in if nothing stood before it.  `take` is told of the views
@@ -35,7 +35,6 @@ class Windows {
  private:
   std::span<const SkyPortal> portals_;
   const LightRays& rays_;
-  const SkyLight& sky_;
 };
 
 }  // namespace enfilade

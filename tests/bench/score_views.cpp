@@ -1,109 +1,96 @@
 // Counts the pixels in which portal culling differs from the whole building, over random views from
-// free space: any at all is geometry that a cell should have had.
+// places of every kind: any at all is geometry that a cell should have had.
 //   score_views HOUSE [VIEWS] [-v]
-// Eyes have no solid voxel around them, so that the near plane cuts no wall; one in ten that fall
-// outdoors is kept.  -v names every view that differs.
+// -v names every view that differs.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/constants.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <random>
+#include <array>
+#include <cstdlib>
 #include <string>
 
 #include "app/frame_painter.h"
 #include "portals/house.h"
-#include "preprocess/random_sphere.h"
 #include "render/gl_context.h"
-#include "render/renderer.h"
-#include "scene/camera.h"
 #include "scene/error.h"
-#include "visibility/object_index.h"
-#include "visibility/portal_culling.h"
+#include "tests/app/random_views.h"
 
 namespace enfilade {
 namespace {
 
+using testing::EyePlace;
+using testing::kEyePlaces;
+using testing::RandomView;
+using testing::RandomViews;
+
 constexpr int kWidth = 320, kHeight = 256;
 
-bool isFreeAround(const CellGrid& grid, const glm::ivec3& v) {
-  for (int i = 0; i < 27; ++i) {
-    const glm::ivec3 beside = v + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-    if (grid.labelAt(beside) == CellGrid::kSolidVoxel) return false;
-  }
-  return true;
-}
+struct Tally {
+  std::size_t views = 0, whole = 0, differing = 0, pixels = 0, worst = 0;
 
-glm::vec3 randomEye(const House& house, std::mt19937& random) {
-  const CellGrid& grid = house.grid;
-  const glm::vec3 half = 0.5f * grid.voxel() * glm::vec3(grid.size());
-  while (true) {
-    const glm::vec3 p = grid.origin() + half * (1.0f + randomInCube(random));
-    const CellGrid::Label label = grid.labelAt(grid.voxelOf(p));
-    const bool outdoors = label == kExterior;
-    if (label >= house.graph.cells.size() || (outdoors && randomUnit(random) > 0.1f)) continue;
-    if (isFreeAround(grid, grid.voxelOf(p))) return p;
+  void add(std::size_t pixels_here) {
+    pixels += pixels_here;
+    worst = std::max(worst, pixels_here);
+    differing += pixels_here > 0;
   }
-}
+};
 
 class Comparison {
  public:
-  explicit Comparison(const House& house)
+  explicit Comparison(House& house)
       : house_(house),
         context_(createOsMesaContext(2)),
-        renderer_(*context_, house.building),
-        index_(house) {}
+        painter_(*context_, house, no_images_, kWidth, kHeight, 2) {}
 
-  std::size_t differingPixels(const View& view) {
-    const CellId eye = locate(house_.graph, house_.grid, view.eye).cell;
-    draw(index_.inFrustum(view), view, whole_);
-    draw(index_.visible(cullByPortals(house_.graph, view, eye)), view, culled_);
+  void compare(const RandomView& view, bool verbose, Tally& tally) {
+    painter_.paint(Method::kGeometry, view.camera);
+    painter_.read(whole_);
+    painter_.paint(Method::kCulling, view.camera);
+    painter_.read(culled_);
+    ++tally.views;
+    tally.whole += painter_.visibleSet().cells.size() == house_.graph.cells.size();
     std::size_t differing = 0;
     for (std::size_t i = 0; i < whole_.rgba.size(); i += 4) {
       differing += !std::equal(&whole_.rgba[i], &whole_.rgba[i] + 3, &culled_.rgba[i]);
     }
-    return differing;
+    tally.add(differing);
+    if (verbose && differing > 0) tell(view, differing);
   }
 
  private:
-  void draw(const std::vector<std::uint32_t>& objects, const View& view, Image& out) {
-    renderer_.begin(kWidth, kHeight);
-    renderer_.draw(objects, view);
-    renderer_.finish();
-    renderer_.readColor(out);
+  void tell(const RandomView& view, std::size_t differing) const {
+    const CellId cell = painter_.visibleSet().eye_cell;
+    const glm::vec3& eye = view.camera.pose.position;
+    const glm::quat& turn = view.camera.pose.world_from_camera_rotation;
+    fmt::print("{} pixels from {} in {} ({} {} {}), turned ({} {} {} {}), {:.1f} degrees\n",
+               differing, nameOf(view.place), house_.graph.cells[cell].name, eye.x, eye.y, eye.z,
+               turn.x, turn.y, turn.z, turn.w, glm::degrees(view.camera.vertical_fov));
   }
 
   const House& house_;
+  PortalImages no_images_;
   std::unique_ptr<GlContext> context_;
-  Renderer renderer_;
-  ObjectIndex index_;
+  FramePainter painter_;
   Image whole_, culled_;
 };
 
 void scoreViews(const std::string& folder, int views, bool verbose) {
-  const House house = readHouse(folder);
+  House house = readHouse(folder);
   Comparison comparison(house);
-  Camera camera = walkingCamera(house, 1.0f, kWidth, kHeight);
-  std::mt19937 random(7);
-  std::size_t pixels = 0, worst = 0;
-  int differing = 0;
+  RandomViews random(house, 7);
+  std::array<Tally, kEyePlaces> tallies;
   for (int i = 0; i < views; ++i) {
-    camera.pose.position = randomEye(house, random);
-    const float heading = glm::two_pi<float>() * randomUnit(random);
-    const float pitch = 1.5f * (randomUnit(random) - 0.5f);
-    camera.pose.world_from_camera_rotation =
-        glm::angleAxis(heading, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch, glm::vec3(1, 0, 0));
-    const std::size_t here = comparison.differingPixels(camera.view());
-    pixels += here;
-    worst = std::max(worst, here);
-    differing += here > 0;
-    const glm::vec3& eye = camera.pose.position;
-    if (verbose && here > 0) {
-      fmt::print("{} pixels from ({:.2f}, {:.2f}, {:.2f})\n", here, eye.x, eye.y, eye.z);
-    }
+    const auto place = static_cast<EyePlace>(i % kEyePlaces);
+    const RandomView view = random.next(place, static_cast<float>(kWidth) / kHeight);
+    comparison.compare(view, verbose, tallies[static_cast<std::size_t>(place)]);
   }
-  fmt::print("{}: {} pixels differ in {} of {} views of {}x{}, {} at the worst\n", folder, pixels,
-             differing, views, kWidth, kHeight, worst);
+  fmt::print("{}, views of {}x{}\n{:<18} {:>7} {:>12} {:>10} {:>8} {:>8}\n", folder, kWidth,
+             kHeight, "eye in or on", "views", "all cells", "differing", "pixels", "worst");
+  for (int place = 0; place < kEyePlaces; ++place) {
+    const Tally& t = tallies[static_cast<std::size_t>(place)];
+    fmt::print("{:<18} {:>7} {:>12} {:>10} {:>8} {:>8}\n", nameOf(static_cast<EyePlace>(place)),
+               t.views, t.whole, t.differing, t.pixels, t.worst);
+  }
 }
 
 }  // namespace
