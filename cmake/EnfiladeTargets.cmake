@@ -45,6 +45,7 @@ function(enfilade_tests folder)
   include(GoogleTest)
   add_executable(${folder}_tests ${sources})
   enfilade_compile_options(${folder}_tests)
+  target_compile_options(${folder}_tests PRIVATE ${ENFILADE_TEST_OPTIONS})
   target_link_libraries(${folder}_tests PRIVATE ${ARGN} GTest::gtest GTest::gtest_main)
   target_precompile_headers(${folder}_tests PRIVATE
     <gtest/gtest.h> <string> <vector> <glm/glm.hpp>)

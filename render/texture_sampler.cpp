@@ -49,14 +49,20 @@ std::uint64_t between(std::uint64_t a, std::uint64_t b, std::uint64_t part) noex
   return ((256 - part) * a + part * b + 0x0080008000800080ULL) >> 8 & 0x00ff00ff00ff00ffULL;
 }
 
+/// How far `v` lies beyond `floor` in 1/256, 0…256; 0 if it is not a number.
+std::uint64_t partBeyond(float v, int floor) noexcept {
+  const float share = v - static_cast<float>(floor);
+  return share > 0 ? static_cast<std::uint64_t>(std::min(share, 1.0f) * 256.0f + 0.5f) : 0;
+}
+
 /// All four channels are worked out in one multiplication, with weights of 1/256.
 glm::vec4 linear(const Image& image, const Material& material, const glm::vec2& uv) noexcept {
   const float x = uv.x * static_cast<float>(image.width) - 0.5f;
   const float y = uv.y * static_cast<float>(image.height) - 0.5f;
   const int left = floorToInt(x);
   const int top = floorToInt(y);
-  const auto across = static_cast<std::uint64_t>((x - static_cast<float>(left)) * 256.0f + 0.5f);
-  const auto down = static_cast<std::uint64_t>((y - static_cast<float>(top)) * 256.0f + 0.5f);
+  const std::uint64_t across = partBeyond(x, left);
+  const std::uint64_t down = partBeyond(y, top);
   const std::size_t width = static_cast<std::size_t>(image.width);
   const auto x0 = static_cast<std::size_t>(wrapped(left, image.width, material.wrap_s));
   const auto x1 = static_cast<std::size_t>(wrapped(left + 1, image.width, material.wrap_s));

@@ -15,7 +15,16 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-#ifndef __SANITIZE_ADDRESS__  // which has allocators of its own, also in libraries
+// The address sanitizer has allocators of its own, also in libraries.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ENFILADE_OTHER_ALLOCATORS
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define ENFILADE_OTHER_ALLOCATORS
+#endif
+
+#ifndef ENFILADE_OTHER_ALLOCATORS
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) {

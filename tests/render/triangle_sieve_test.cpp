@@ -261,7 +261,8 @@ TEST(TriangleSieve, LeavesThePictureAsItIsByWhicheverVectorUnit) {
   Renderer renderer(sharedContext(), building);
   int units = 0;
   std::int64_t rest = hwy::SupportedTargets();
-  for (std::int64_t unit = 1; rest != 0; unit *= 2) {
+  for (int bit = 0; rest != 0; ++bit) {
+    const std::int64_t unit = std::int64_t{1} << bit;
     if ((rest & unit) == 0) continue;
     rest &= ~unit;
     hwy::SetSupportedTargetsForTest(unit);
