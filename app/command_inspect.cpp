@@ -36,7 +36,7 @@ std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& h
                 "has no layered depth images; preprocess the model again without --no-images");
   }
   const SideLayers& side = chooseSide(sides, options.portal, options.side);
-  const std::size_t pictures = writeLayerPictures(options.input, side, options.layers);
+  const std::size_t pictures = writeLayerPictures(house, options.input, side, options.layers);
   printNote(quiet, fmt::format("{}: {} layers of portal {} as seen from its {}", options.layers,
                                pictures, side.portal, side.from_front ? "front" : "back"));
   return sides;
@@ -44,7 +44,8 @@ std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& h
 
 void inspectHouse(const InspectOptions& options, bool quiet) {
   const House house = readHouse(options.input);
-  const ImageCounts images = countImages(house, options.input);
+  requireFiles(house, options.input);
+  const ImageCounts images = countImages(house);
   if (!options.plan.empty()) {
     writeFileAtomically(options.plan, floorPlanSvg(house));
     printNote(quiet, options.plan + ": the floor plan");

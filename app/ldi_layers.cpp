@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <span>
 
+#include "ibr/image_kinds.h"
 #include "ibr/ldi_file.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 
-std::string ldiFile(const std::string& folder, PortalId portal, bool from_front) {
-  return portalImageFolder(folder, portal, from_front) + "/ldi.bin";
+Ldi readSide(const House& house, const std::string& folder, PortalId portal, bool from_front) {
+  const std::string name = portalImageName(portal, from_front, ldiFileName());
+  return decodeLdi(readHouseFile(house, folder, name), folder + "/" + name);
 }
 
 /// The pixel of a sample in the image's window.
@@ -55,9 +56,9 @@ std::vector<SideLayers> countLayers(const House& house, const std::string& folde
   std::vector<SideLayers> sides;
   for (PortalId portal = 0; portal < house.graph.portals.size(); ++portal) {
     for (const bool from_front : {true, false}) {
-      const std::string file = ldiFile(folder, portal, from_front);
-      if (!std::filesystem::exists(file)) continue;
-      sides.push_back({portal, from_front, samplesPerLayer(readLdi(file))});
+      if (!hasFile(house, portalImageName(portal, from_front, ldiFileName()))) continue;
+      sides.push_back(
+          {portal, from_front, samplesPerLayer(readSide(house, folder, portal, from_front))});
     }
   }
   return sides;
@@ -118,10 +119,10 @@ Image layerPicture(const Ldi& ldi, std::size_t layer, const std::string& subject
   return picture;
 }
 
-std::size_t writeLayerPictures(const std::string& house_folder, const SideLayers& side,
-                               const std::string& folder) {
-  const std::string file = ldiFile(house_folder, side.portal, side.from_front);
-  const Ldi ldi = readLdi(file);
+std::size_t writeLayerPictures(const House& house, const std::string& house_folder,
+                               const SideLayers& side, const std::string& folder) {
+  const std::string file = portalImageFolder(house_folder, side.portal, side.from_front);
+  const Ldi ldi = readSide(house, house_folder, side.portal, side.from_front);
   createFolders(folder);
   for (std::size_t layer = 1; layer <= side.samples.size(); ++layer) {
     writePng(fmt::format("{}/layer-{}.png", folder, layer), layerPicture(ldi, layer, file));

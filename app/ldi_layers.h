@@ -37,8 +37,8 @@ const SideLayers& chooseSide(const std::vector<SideLayers>& sides, int portal,
 Image layerPicture(const Ldi& ldi, std::size_t layer, const std::string& subject);
 
 /// Writes FOLDER/layer-1.png … of one side's image; returns how many.
-std::size_t writeLayerPictures(const std::string& house_folder, const SideLayers& side,
-                               const std::string& folder);
+std::size_t writeLayerPictures(const House& house, const std::string& house_folder,
+                               const SideLayers& side, const std::string& folder);
 
 /// A table of the samples in layers 1, 2, 3 and 4 and more, in numbers and percent (Rafferty et al.
 /// 1998, Figure 5), a side a line and all of them last.

@@ -1,40 +1,36 @@
 #include "app/portal_images.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "ibr/ldi_file.h"
 #include "ibr/portal_side.h"
-#include "scene/error.h"
 
 namespace enfilade {
 
 namespace {
 
-bool exists(const std::string& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored);
-}
+/// The files of one portal side in the folder of a house.
+struct SideFolder {
+  const House& house;
+  const std::string& folder;
+  PortalId portal;
+  bool from_front;
 
-/// Reads image i into images[i] by read(file); all are there, or none.
-template <class Images, class Read>
-void readFan(const std::string& folder, std::string (*file_name)(std::size_t), Images& images,
-             Read&& read) {
-  std::size_t there = 0;
-  for (std::size_t i = 0; i < images.size(); ++i) there += exists(folder + "/" + file_name(i));
-  if (there == 0) return;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const std::string file = folder + "/" + file_name(i);
-    if (!exists(file)) {
-      throw Error(ErrorKind::kBadInput, file,
-                  fmt::format("is missing: {} of the portal side's {} are there; preprocess the "
-                              "model again",
-                              there, images.size()));
-    }
-    images[i] = read(file);
+  bool has(const std::string& file) const {
+    return hasFile(house, portalImageName(portal, from_front, file));
   }
+  /// What decode(bytes, name for errors) makes of a file that is proved to be the house's.
+  template <class Decode>
+  auto read(const std::string& file, Decode&& decode) const {
+    return decode(readHouseFile(house, folder, portalImageName(portal, from_front, file)),
+                  portalImageFolder(folder, portal, from_front) + "/" + file);
+  }
+};
+
+/// Reads image i into images[i]; the house has all of them, or none.
+template <class Images, class Decode>
+void readFan(const SideFolder& side, std::string (*file_name)(std::size_t), Images& images,
+             Decode&& decode) {
+  if (images.empty() || !side.has(file_name(0))) return;
+  for (std::size_t i = 0; i < images.size(); ++i) images[i] = side.read(file_name(i), decode);
 }
 
 template <class Visit>
@@ -98,12 +94,11 @@ PortalImages::PortalImages(const House& house, const std::string& folder, const 
 
 void PortalImages::read(const House& house, const std::string& folder, const ImageKinds& kinds) {
   forEachSide(house, [&](PortalId id, bool from_front) {
-    const std::string images = portalImageFolder(folder, id, from_front);
+    const SideFolder files{house, folder, id, from_front};
     SideImages& there = side(id, from_front);
-    if (kinds.textures) readFan(images, textureFileName, there.textures, readImage);
-    if (kinds.references) readFan(images, referenceFileName, there.references, readLdi);
-    const std::string ldi = images + "/" + ldiFileName();
-    if (kinds.ldis && exists(ldi)) there.ldi = readLdi(ldi);
+    if (kinds.textures) readFan(files, textureFileName, there.textures, decodeImage);
+    if (kinds.references) readFan(files, referenceFileName, there.references, decodeLdi);
+    if (kinds.ldis && files.has(ldiFileName())) there.ldi = files.read(ldiFileName(), decodeLdi);
   });
 }
 
@@ -127,18 +122,20 @@ std::size_t PortalImages::count() const noexcept {
   return count(ImageKind::kTexture) + count(ImageKind::kReference) + count(ImageKind::kLdi);
 }
 
-ImageCounts countImages(const House& house, const std::string& folder) {
+ImageCounts countImages(const House& house) {
   ImageCounts counts;
   forEachSide(house, [&](PortalId portal, bool from_front) {
-    const std::string images = portalImageFolder(folder, portal, from_front) + "/";
+    const auto has = [&](const std::string& file) {
+      return hasFile(house, portalImageName(portal, from_front, file));
+    };
     const auto consecutive = [&](std::string (*file_name)(std::size_t)) {
       std::size_t count = 0;
-      while (exists(images + file_name(count))) ++count;
+      while (has(file_name(count))) ++count;
       return count;
     };
     const std::size_t textures = consecutive(textureFileName);
     const std::size_t references = consecutive(referenceFileName);
-    const std::size_t ldis = exists(images + ldiFileName());
+    const std::size_t ldis = has(ldiFileName());
     counts.textures += textures;
     counts.references += references;
     counts.ldis += ldis;

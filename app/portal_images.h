@@ -34,8 +34,8 @@ class PortalImages {
   /// The viewpoints of every side that gets images, and no image yet.  Throws Error (kBadInput) for
   /// parameters in the house that cannot be.
   explicit PortalImages(const House& house);
-  /// Reads the images of `kinds` that stand under `folder`.  Throws Error (kBadInput) for an image
-  /// that cannot be read or is missing while others of its side are there.
+  /// Reads the images of `kinds` that the house in `folder` lists.  Throws Error (kBadInput) for
+  /// one that is missing, damaged or another's.
   PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds = {});
 
   /// Reads those of `kinds` too.  Throws as the constructor does.
@@ -53,11 +53,11 @@ class PortalImages {
   std::vector<SideImages> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
 };
 
-/// How many images of each kind stand in the folder of a house, unread.
+/// How many images of each kind a house lists.
 struct ImageCounts {
   std::size_t sides = 0;  ///< portal sides with any
   std::size_t textures = 0, references = 0, ldis = 0;
 };
-ImageCounts countImages(const House& house, const std::string& folder);
+ImageCounts countImages(const House& house);
 
 }  // namespace enfilade

@@ -9,6 +9,7 @@
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/format_version.h"
 #include "scene/zstd_frame.h"
 
 namespace enfilade {
@@ -57,9 +58,12 @@ FileHeader readHeader(const std::string& file, std::span<const std::uint8_t> byt
     reject(file, "is cut short within its header");
   }
   std::memcpy(&header, bytes.data(), sizeof(header));
-  if (header.version != kLdiFileVersion || header.header_size != sizeof(header)) {
-    reject(file, fmt::format("is of format version {}; this program reads version {}",
-                             header.version, kLdiFileVersion));
+  if (header.version != kLdiFileVersion) {
+    reject(file, otherFormatVersion(header.version, kLdiFileVersion));
+  }
+  if (header.header_size != sizeof(header)) {
+    reject(file,
+           fmt::format("has a header of {} bytes, not {}", header.header_size, sizeof(header)));
   }
   if (header.tiles > kMostElements || header.samples > kMostElements) {
     reject(file, fmt::format("has sizes that its bytes cannot hold: {} tiles and {} samples",
@@ -149,14 +153,14 @@ void writeLdi(const std::string& file, const Ldi& ldi) {
   writeFileAtomically(file, std::span<const std::uint8_t>(bytes));
 }
 
-Ldi readLdi(const std::string& file) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
+Ldi readLdi(const std::string& file) { return decodeLdi(readFile(file), file); }
+
+Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file) {
   const FileHeader header = readHeader(file, bytes);
   Ldi ldi;
   ldi.camera = readCamera(file, header);
   const std::vector<std::uint8_t> payload =
-      decompressFrame(std::span<const std::uint8_t>(bytes).subspan(sizeof(header)),
-                      8 * (header.tiles + header.samples), file);
+      decompressFrame(bytes.subspan(sizeof(header)), 8 * (header.tiles + header.samples), file);
   ldi.tiles.resize(header.tiles);
   const std::uint8_t* at = payload.data();
   for (LdiTile& tile : ldi.tiles) {

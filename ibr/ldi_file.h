@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "ibr/ldi.h"
@@ -25,9 +27,11 @@ inline constexpr std::uint32_t kLdiFileVersion = 2;
 /// (kMachine).
 void writeLdi(const std::string& file, const Ldi& ldi);
 
-/// Throws Error (kBadInput): not an LDI, another version, cut short, sizes that do not fit the file
-/// (nothing is allocated before they do), a checksum that does not match, tiles or samples that are
-/// not where they should be.
-Ldi readLdi(const std::string& file);
+/// The LDI of a file's bytes; `file` names it in errors.  Throws Error (kBadInput): not an LDI,
+/// another version and what to do, cut short, sizes that do not fit the file (nothing is allocated
+/// before they do), a checksum that does not match, tiles or samples that are not where they should
+/// be.
+Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file);
+Ldi readLdi(const std::string& file);  ///< likewise
 
 }  // namespace enfilade

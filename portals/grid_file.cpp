@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "scene/error.h"
+#include "scene/format_version.h"
 #include "scene/zstd_frame.h"
 
 namespace enfilade {
@@ -112,8 +113,8 @@ class GridReader {
     require(bytes_.size() >= 8 && std::memcmp(bytes_.data(), kMagic, 8) == 0, "is not a cell grid");
     require(bytes_.size() >= kHeaderBytes, "is cut short");
     const std::uint8_t* at = bytes_.data() + 8;
-    require(get<std::uint32_t>(at) == kVersion,
-            "is of another version: preprocess the model again");
+    const auto version = get<std::uint32_t>(at);
+    require(version == kVersion, otherFormatVersion(version, kVersion));
     Header header;
     for (int axis = 0; axis < 3; ++axis) {
       const auto size = get<std::uint32_t>(at + 4 + 4 * axis);

@@ -1,7 +1,6 @@
 #include "portals/house.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <cassert>
 #include <filesystem>
@@ -17,28 +16,19 @@ namespace enfilade {
 
 namespace {
 
-std::string inFolder(const std::string& folder, const char* name) {
-  return (std::filesystem::path(folder) / name).string();
-}
-
-std::uint64_t checksumOf(const std::vector<std::uint8_t>& bytes) {
-  return XXH3_64bits(bytes.data(), bytes.size());
-}
-
-void requireChecksum(const std::vector<std::uint8_t>& bytes, std::uint64_t expected,
-                     const std::string& file) {
-  if (checksumOf(bytes) != expected) {
-    throw Error(ErrorKind::kBadInput, file,
-                "is damaged, or belongs to another house: its checksum differs");
-  }
-}
+constexpr const char* kGeometry = "geometry.glb";
+constexpr const char* kGrid = "cells.grid";
 
 void requireHouse(const std::string& folder) {
   std::error_code ignored;
   const auto fail = [&](const char* reason) { throw Error(ErrorKind::kBadInput, folder, reason); };
   if (!std::filesystem::exists(folder, ignored)) fail("no such file or folder");
   if (!std::filesystem::is_directory(folder, ignored)) fail("is a file, not a house folder");
-  if (!isHouse(folder)) fail("is not a house, or not yet finished: it has no house.json");
+  if (isHouse(folder)) return;
+  if (std::filesystem::is_directory(unfinishedFolder(folder), ignored)) {
+    fail("is a house that is not yet finished: give the same 'enfilade preprocess' again");
+  }
+  fail("is not a house: it has no house.json");
 }
 
 void requireLabelsOfCells(const House& house, const std::string& file) {
@@ -58,15 +48,6 @@ std::vector<std::uint8_t> doorFlags(std::span<const ObjectRole> roles) {
   return flags;
 }
 
-std::string houseJsonFile(const std::string& folder) { return inFolder(folder, "house.json"); }
-std::string geometryFile(const std::string& folder) { return inFolder(folder, "geometry.glb"); }
-std::string cellGridFile(const std::string& folder) { return inFolder(folder, "cells.grid"); }
-
-std::string portalImageFolder(const std::string& folder, PortalId portal, bool from_front) {
-  const std::string name = fmt::format("portal-{:04}-{}", portal, from_front ? "front" : "back");
-  return inFolder(folder, "images") + "/" + name;
-}
-
 bool isHouse(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(houseJsonFile(path), ignored);
@@ -83,29 +64,27 @@ void writeHouse(const std::string& folder, const House& house) {
     throw Error(ErrorKind::kMachine, houseJsonFile(folder),
                 "cannot be replaced: " + error.message());
   }
+  HouseFiles files = house.files;
   const std::vector<std::uint8_t> grid = encodeGrid(house.grid);
   writeFileAtomically(cellGridFile(folder), grid);
+  files[kGrid] = fileChecksum(grid);
   const std::vector<std::uint8_t> geometry = encodeGlb(house.building);
   writeFileAtomically(geometryFile(folder), geometry);
-  writeFileAtomically(houseJsonFile(folder),
-                      encodeHouseJson(house, {checksumOf(geometry), checksumOf(grid)}));
+  files[kGeometry] = fileChecksum(geometry);
+  writeFileAtomically(houseJsonFile(folder), encodeHouseJson(house, files));
 }
 
 House readHouse(const std::string& folder) {
   requireHouse(folder);
   House house;
   const std::vector<std::uint8_t> text = readFile(houseJsonFile(folder));
-  const HouseChecksums checksums =
-      decodeHouseJson(std::string(text.begin(), text.end()), houseJsonFile(folder), house);
+  decodeHouseJson(std::string(text.begin(), text.end()), houseJsonFile(folder), house);
   const std::string grid_file = cellGridFile(folder);
-  const std::vector<std::uint8_t> grid = readFile(grid_file);
-  house.grid = decodeGrid(grid, grid_file);
-  requireChecksum(grid, checksums.grid, grid_file);
+  house.grid = decodeGrid(readHouseFile(house, folder, kGrid), grid_file);
   requireLabelsOfCells(house, grid_file);
 
   const std::string geometry_file = geometryFile(folder);
-  requireChecksum(readFile(geometry_file), checksums.geometry, geometry_file);
-  house.building = readGltf(geometry_file);
+  house.building = parseGltf(readHouseFile(house, folder, kGeometry), geometry_file);
   if (house.building.objects.size() != house.object_roles.size()) {
     throw Error(ErrorKind::kBadInput, geometry_file,
                 fmt::format("has {} objects, but house.json speaks of {}",

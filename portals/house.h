@@ -7,12 +7,13 @@
 
 #include "portals/cell_graph.h"
 #include "portals/cell_grid.h"
+#include "portals/house_files.h"
 #include "portals/leak.h"
 #include "scene/building.h"
 
 namespace enfilade {
 
-inline constexpr int kHouseFormatVersion = 1;
+inline constexpr int kHouseFormatVersion = 2;
 
 enum class ObjectRole : std::uint8_t {
   kFixed,
@@ -47,26 +48,20 @@ struct House {
       object_cells;              ///< one an object, increasing: the cells that can see it
   float switch_distance = 1.5f;  ///< [m] > 0: nearer to a portal than this: geometry
   float eye_height = 1.6f;       ///< [m] above the floor
+  HouseFiles files;  ///< its images, and, where it was read from a folder, geometry and grid
 };
-
-/// Names of the files inside a house folder.
-std::string houseJsonFile(const std::string& folder);
-std::string geometryFile(const std::string& folder);
-std::string cellGridFile(const std::string& folder);
-/// folder/images/portal-PPPP-front or -back: what is seen by a viewer on that side.
-std::string portalImageFolder(const std::string& folder, PortalId portal, bool from_front);
 
 /// Whether `path` is a folder with a house.json.
 bool isHouse(const std::string& path);
 
 /// Writes house.json, geometry.glb and cells.grid; house.json last, an old one removed first, so
-/// that a folder without one is no house.  Images that stand in the folder are left as they are.
-/// The same bytes for the same house.  Throws Error (kMachine).
+/// that a folder without one is no house.  Images that stand in the folder are left as they are;
+/// those in `house.files` are listed.  The same bytes for the same house.  Throws Error (kMachine).
 void writeHouse(const std::string& folder, const House& house);
 
-/// Throws Error (kBadInput) that names the file and the reason: not a house, another format
-/// version, cut short, a checksum that does not match (each of the three files has one), ids out of
-/// range.
+/// The house in a folder, its images unread.  Throws Error (kBadInput) that names the file and the
+/// reason: not a house or not yet finished, another format version and what to do, cut short or
+/// damaged (house.json ends with its own checksum and lists those of all others), ids out of range.
 House readHouse(const std::string& folder);
 
 }  // namespace enfilade

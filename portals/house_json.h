@@ -2,25 +2,18 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "portals/house.h"
 
 namespace enfilade {
 
-/// XXH3 64 of the files beside house.json.
-struct HouseChecksums {
-  std::uint64_t geometry = 0;
-  std::uint64_t grid = 0;
-};
-
-/// The text of house.json: all of `house` but its building and grid, and the checksums of the files
-/// that hold these.  Ends with a checksum of itself.  The same text for the same house.
-std::string encodeHouseJson(const House& house, const HouseChecksums& checksums);
+/// The text of house.json: all of `house` but its building and grid, and `files`, all that are
+/// beside it.  Ends with a checksum of itself.  The same text for the same house.
+std::string encodeHouseJson(const House& house, const HouseFiles& files);
 
 /// Fills all of `house` but building and grid.  Throws Error (kBadInput) that names `file`: not a
 /// house, another format version, damaged, values missing or out of range.
-HouseChecksums decodeHouseJson(const std::string& text, const std::string& file, House& house);
+void decodeHouseJson(const std::string& text, const std::string& file, House& house);
 
 /// 16 hexadecimal digits.
 std::string checksumText(std::uint64_t checksum);

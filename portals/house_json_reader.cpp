@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include "portals/house_names.h"
 #include "portals/json_value.h"
 #include "scene/error.h"
+#include "scene/format_version.h"
 
 namespace enfilade {
 
@@ -123,6 +122,14 @@ void readObjects(const JsonValue& value, House& house) {
   }
 }
 
+HouseFiles readFiles(const JsonValue& value) {
+  HouseFiles files;
+  value.forEachMember([&](const std::string& name, const JsonValue& file) {
+    files[name] = file["xxh3"].checksum();
+  });
+  return files;
+}
+
 /// Whether the text still is what was written.  Its last string is the checksum.
 bool isUndamaged(const std::string& text) {
   const std::size_t end = text.rfind('"');
@@ -132,7 +139,7 @@ bool isUndamaged(const std::string& text) {
 
 }  // namespace
 
-HouseChecksums decodeHouseJson(const std::string& text, const std::string& file, House& house) {
+void decodeHouseJson(const std::string& text, const std::string& file, House& house) {
   const auto parsed = nlohmann::json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
     throw Error(ErrorKind::kBadInput, file, "is not JSON: cut short, or damaged");
@@ -143,10 +150,7 @@ HouseChecksums decodeHouseJson(const std::string& text, const std::string& file,
   }
   const double format = root["format"].number();
   if (format != kHouseFormatVersion) {
-    root.fail(
-        fmt::format("is of format version {}, this program reads {}: preprocess the model "
-                    "again",
-                    format, kHouseFormatVersion));
+    root.fail(otherFormatVersion(format, kHouseFormatVersion));
   }
   if (!isUndamaged(text)) {
     root.fail("is damaged, or was edited: its checksum differs; preprocess the model again");
@@ -156,8 +160,7 @@ HouseChecksums decodeHouseJson(const std::string& text, const std::string& file,
   house.eye_height = root["eye_height"].positive();
   house.graph = readGraph(root);
   readObjects(root["objects"], house);
-  return {root["files"]["geometry.glb"]["xxh3"].checksum(),
-          root["files"]["cells.grid"]["xxh3"].checksum()};
+  house.files = readFiles(root["files"]);
 }
 
 }  // namespace enfilade

@@ -122,6 +122,12 @@ ordered_json statisticsJson(const HouseInfo& info) {
   return statistics;
 }
 
+ordered_json filesJson(const HouseFiles& files) {
+  ordered_json list = ordered_json::object();
+  for (const auto& [name, checksum] : files) list[name] = {{"xxh3", checksumText(checksum)}};
+  return list;
+}
+
 }  // namespace
 
 std::string checksumText(std::uint64_t checksum) { return fmt::format("{:016x}", checksum); }
@@ -131,7 +137,7 @@ std::string ownChecksum(std::string text, std::size_t at) {
   return checksumText(XXH3_64bits(text.data(), text.size()));
 }
 
-std::string encodeHouseJson(const House& house, const HouseChecksums& checksums) {
+std::string encodeHouseJson(const House& house, const HouseFiles& files) {
   assert(house.object_roles.size() == house.object_cells.size());
   ordered_json parameters = ordered_json::object();
   for (const auto& [name, value] : house.info.parameters) parameters[name] = value;
@@ -150,9 +156,7 @@ std::string encodeHouseJson(const House& house, const HouseChecksums& checksums)
       {"statistics", statisticsJson(house.info)},
       {"log", house.info.log},
       {"leaks", leaksJson(house.info.leaks)},
-      {"files",
-       {{"geometry.glb", {{"xxh3", checksumText(checksums.geometry)}}},
-        {"cells.grid", {{"xxh3", checksumText(checksums.grid)}}}}},
+      {"files", filesJson(files)},
       {"checksum", std::string(16, '0')}};
   std::string text = jsonText(json);
   const std::size_t at = text.rfind(std::string(16, '0'));

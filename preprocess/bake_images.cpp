@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <mutex>
-#include <numeric>
 #include <thread>
 
 #include "ibr/ldi_file.h"
@@ -61,21 +60,15 @@ class SideBaker {
         context_(createGlContext(gl, threads_to_draw)),
         renderer_(*context_, baking.house.building) {}
 
-  /// Writes the images of `side` into its folder; their bytes.
-  std::uint64_t bake(const PortalSide& side) {
+  /// Writes the images of `side` into its folder.
+  void bake(const PortalSide& side) {
     const std::string folder = portalImageFolder(baking_.folder, side.portal, side.from_front);
     createFolders(folder);
-    const std::uint64_t bytes =
-        baking_.parameters.bake.ldis ? bakeLdiFile(side, folder + "/" + ldiFileName()) : 0;
-    return bytes + bakeSideViews(side, folder);
+    if (baking_.parameters.bake.ldis) writeLdi(folder + "/" + ldiFileName(), makeLdi(side));
+    bakeSideViews(side, folder);
   }
 
  private:
-  std::uint64_t bakeLdiFile(const PortalSide& side, const std::string& file) {
-    writeLdi(file, makeLdi(side));
-    return std::filesystem::file_size(file);
-  }
-
   ObjectsInView objectsBehind(const PortalSide& side) const {
     return [this, side](const View& view) {
       return baking_.index.visible(
@@ -99,13 +92,13 @@ class SideBaker {
                             far_depth);
   }
 
-  std::uint64_t bakeSideViews(const PortalSide& side, const std::string& folder) {
+  void bakeSideViews(const PortalSide& side, const std::string& folder) {
     const ObjectsInView objects = objectsBehind(side);
     const CaptureFunction capture = [&](const PlanarCamera& camera) {
       return captureThroughPortal(renderer_, camera, objects, baking_.far_depth);
     };
-    return bakeViews(baking_.house.graph.portals[side.portal], side.from_front, eyeLevel(side),
-                     baking_.parameters, capture, folder);
+    bakeViews(baking_.house.graph.portals[side.portal], side.from_front, eyeLevel(side),
+              baking_.parameters, capture, folder);
   }
 
   const Baking& baking_;
@@ -129,21 +122,32 @@ Hands handsFor(int threads, const ImageParameters& parameters) {
   return {std::min(threads, kMostBakers), threads > kMostBakers ? threads - kMostBakers : 1};
 }
 
+/// Lists the images of `side` that stand in `folder` in `house`; their bytes.
+std::uint64_t listImages(const PortalSide& side, const std::string& folder, House& house) {
+  std::uint64_t sum = 0;
+  const std::string images = portalImageFolder(folder, side.portal, side.from_front);
+  for (const auto& entry : std::filesystem::directory_iterator(images)) {
+    const std::string name = entry.path().filename().string();
+    const std::vector<std::uint8_t> bytes = readFile(entry.path().string());
+    house.files[portalImageName(side.portal, side.from_front, name)] = fileChecksum(bytes);
+    sum += bytes.size();
+  }
+  return sum;
+}
+
 }  // namespace
 
-BakedImages bakeImages(const House& house, const ImageParameters& parameters,
-                       const std::string& folder, const BakingHands& given,
-                       const ProgressSink& progress) {
+BakedImages bakeImages(House& house, const ImageParameters& parameters, const std::string& folder,
+                       const BakingHands& given, const ProgressSink& progress) {
   const Baking baking(house, parameters, folder);
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
-  std::vector<std::uint64_t> bytes(sides.size());
   std::mutex telling;
   std::size_t done = 0;
   const Hands hands = handsFor(given.threads, parameters);
   shareOutJobs(sides.size(), hands.bakers, [&] {
     return
         [&, baker = std::make_shared<SideBaker>(baking, given.gl, hands.drawing)](std::size_t i) {
-          bytes[i] = baker->bake(sides[i]);
+          baker->bake(sides[i]);
           const std::lock_guard lock(telling);
           ++done;
           if (progress) {
@@ -152,7 +156,9 @@ BakedImages bakeImages(const House& house, const ImageParameters& parameters,
           }
         };
   });
-  return {sides.size(), std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0})};
+  BakedImages baked{sides.size(), 0};
+  for (const PortalSide& side : sides) baked.bytes += listImages(side, folder, house);
+  return baked;
 }
 
 }  // namespace enfilade

@@ -21,9 +21,9 @@ struct BakingHands {
 };
 
 /// Bakes the images of the kinds in `parameters.bake` of every portal side of `house` that gets one
-/// into `folder` (portalImageFolder). The same bytes for any number of threads.
-BakedImages bakeImages(const House& house, const ImageParameters& parameters,
-                       const std::string& folder, const BakingHands& hands,
-                       const ProgressSink& progress);
+/// into `folder` (portalImageFolder), and lists them in `house.files`. The same bytes for any
+/// number of threads.
+BakedImages bakeImages(House& house, const ImageParameters& parameters, const std::string& folder,
+                       const BakingHands& hands, const ProgressSink& progress);
 
 }  // namespace enfilade

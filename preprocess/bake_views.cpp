@@ -1,7 +1,5 @@
 #include "preprocess/bake_views.h"
 
-#include <filesystem>
-
 #include "ibr/ldi_file.h"
 #include "ibr/portal_texture.h"
 #include "ibr/reference_image.h"
@@ -9,31 +7,25 @@
 
 namespace enfilade {
 
-std::uint64_t bakeViews(const Portal& portal, bool from_front, float eye_y,
-                        const ImageParameters& parameters, const CaptureFunction& capture,
-                        const std::string& folder) {
-  std::uint64_t bytes = 0;
+void bakeViews(const Portal& portal, bool from_front, float eye_y,
+               const ImageParameters& parameters, const CaptureFunction& capture,
+               const std::string& folder) {
   const auto forEachViewpoint = [&](int count, auto&& write) {
     const ViewpointFan fan(portal, from_front, eye_y, parameters, count);
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-      bytes += std::filesystem::file_size(write(i, fan.viewpoints()[i]));
-    }
+    for (std::size_t i = 0; i < fan.size(); ++i) write(i, fan.viewpoints()[i]);
   };
   if (parameters.bake.textures) {
     forEachViewpoint(parameters.textures, [&](std::size_t i, const glm::dvec3& at) {
-      const std::string file = folder + "/" + textureFileName(i);
-      writePng(file, captureTexture(portal, from_front, at, parameters, capture));
-      return file;
+      writePng(folder + "/" + textureFileName(i),
+               captureTexture(portal, from_front, at, parameters, capture));
     });
   }
   if (parameters.bake.references) {
     forEachViewpoint(parameters.references, [&](std::size_t i, const glm::dvec3& at) {
-      const std::string file = folder + "/" + referenceFileName(i);
-      writeLdi(file, captureReference(portal, from_front, at, parameters, capture));
-      return file;
+      writeLdi(folder + "/" + referenceFileName(i),
+               captureReference(portal, from_front, at, parameters, capture));
     });
   }
-  return bytes;
 }
 
 }  // namespace enfilade

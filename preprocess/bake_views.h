@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "ibr/portal_capture.h"
@@ -8,10 +7,10 @@
 namespace enfilade {
 
 /// Bakes a portal side's images that are each of one viewpoint, portal textures and reference
-/// images, those of the kinds in `parameters.bake`, into `folder`, which must be there.  Returns
-/// how many bytes they take.  The same bytes run after run.  Throws Error (kMachine).
-std::uint64_t bakeViews(const Portal& portal, bool from_front, float eye_y,
-                        const ImageParameters& parameters, const CaptureFunction& capture,
-                        const std::string& folder);
+/// images, those of the kinds in `parameters.bake`, into `folder`, which must be there.  The same
+/// bytes run after run.  Throws Error (kMachine).
+void bakeViews(const Portal& portal, bool from_front, float eye_y,
+               const ImageParameters& parameters, const CaptureFunction& capture,
+               const std::string& folder);
 
 }  // namespace enfilade

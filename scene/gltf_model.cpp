@@ -86,7 +86,11 @@ void GltfModel::fail(const std::string& reason) const {
 }
 
 GltfModel loadGltfModel(const std::string& file, WarningLog& warnings) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
+  return parseGltfModel(readFile(file), file, warnings);
+}
+
+GltfModel parseGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
+                         WarningLog& warnings) {
   std::span<const std::uint8_t> bin;
   json root = parseGltfContainer(file, bytes, bin, warnings);
   GltfResources resources(file, bin, root, warnings);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,5 +30,9 @@ struct GltfModel {
 /// each image that has one.  Nothing that stands in the JSON as an index has been checked, but for
 /// what parseGltfContainer and GltfResources say.  Throws Error (kBadInput).
 GltfModel loadGltfModel(const std::string& file, WarningLog& warnings);
+
+/// The same of a file's bytes; files that it names are sought beside `file`.
+GltfModel parseGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
+                         WarningLog& warnings);
 
 }  // namespace enfilade

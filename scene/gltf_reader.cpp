@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/building_repair.h"
+#include "scene/file_io.h"
 #include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_meshes.h"
@@ -89,8 +90,13 @@ void fillMissingTexcoords(Building& building, WarningLog& warnings) {
 }  // namespace
 
 Building readGltf(const std::string& file, Warnings* warnings) {
+  return parseGltf(readFile(file), file, warnings);
+}
+
+Building parseGltf(std::span<const std::uint8_t> bytes, const std::string& file,
+                   Warnings* warnings) {
   WarningLog log;
-  const GltfModel gltf = loadGltfModel(file, log);
+  const GltfModel gltf = parseGltfModel(bytes, file, log);
   Building building;
   building.copyright = gltf->asset.copyright;
   const std::vector<TextureMapping> mappings = readMaterials(gltf, building, log);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +28,9 @@ using Warnings = std::vector<std::string>;
 /// Throws Error (kBadInput) naming the file: missing, a directory, not glTF 2.0, truncated, a
 /// required extension that we lack, indices out of range, nodes below themselves, no triangles.
 Building readGltf(const std::string& file, Warnings* warnings = nullptr);
+
+/// The same of a file's bytes; files that it names are sought beside `file`.
+Building parseGltf(std::span<const std::uint8_t> bytes, const std::string& file,
+                   Warnings* warnings = nullptr);
 
 }  // namespace enfilade

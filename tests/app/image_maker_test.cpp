@@ -68,7 +68,7 @@ TEST_F(ImagesTest, EverySideHasAllItsImagesAndOnlyTheKindsAskedForAreRead) {
   const PortalImages some(*house_, here_->path(), {false, true, false});
   EXPECT_EQ(some.count(ImageKind::kReference), some.count());
   EXPECT_EQ(some.count(), 12u);
-  const ImageCounts counts = countImages(*house_, here_->path());
+  const ImageCounts counts = countImages(*house_);
   EXPECT_EQ(counts.sides, 2u);
   EXPECT_EQ(counts.textures + counts.references + counts.ldis, baked_->count());
 }

@@ -135,7 +135,14 @@ TEST_F(LdiFile, RejectsATruncatedHeader) {
 TEST_F(LdiFile, RejectsAnotherVersion) {
   put(8, std::uint32_t{kLdiFileVersion + 1});
   seal();
-  expectRejected("is of format version 3; this program reads version 2");
+  expectRejected(
+      "is of format version 3, newer than version 2 that this program reads: use a "
+      "newer enfilade");
+  put(8, std::uint32_t{kLdiFileVersion - 1});
+  seal();
+  expectRejected(
+      "is of format version 1, older than version 2 that this program reads: preprocess "
+      "the model again");
 }
 
 TEST_F(LdiFile, RejectsTruncatedSamples) {

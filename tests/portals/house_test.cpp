@@ -152,6 +152,8 @@ TEST(HouseFile, RejectsWhatIsNoHouse) {
   EXPECT_SAYS(complaint(temporary / "file"), "not a house folder");
   createFolders(temporary / "empty");
   EXPECT_SAYS(complaint(temporary / "empty"), "no house.json");
+  createFolders(unfinishedFolder(temporary / "half"));
+  EXPECT_SAYS(complaint(temporary / "half"), "not yet finished: give the same 'enfilade preproces");
   EXPECT_FALSE(isHouse(temporary / "empty"));
   writeFileAtomically(temporary / "empty/house.json", std::string("{\"enfilade\": \"tour\"}"));
   EXPECT_SAYS(complaint(temporary / "empty"), "not describe a house");
@@ -164,10 +166,44 @@ TEST(HouseFile, RejectsWhatIsNoHouse) {
   EXPECT_SAYS(complaint(temporary / "empty"), "not describe a house");
 }
 
-TEST(HouseFile, RejectsAnotherFormatVersionAndNamesBoth) {
-  const std::string said = complaintOnEdit("\"format\": 1", "\"format\": 7");
-  EXPECT_SAYS(said, "version 7");
-  EXPECT_SAYS(said, "reads 1");
+TEST(HouseFile, RejectsAnotherFormatVersionAndSaysWhatToDo) {
+  EXPECT_SAYS(complaintOnEdit("\"format\": 2", "\"format\": 7"),
+              "house.json: is of format version 7, newer than version 2 that this program reads: "
+              "use a newer enfilade, or preprocess the model again");
+  EXPECT_SAYS(complaintOnEdit("\"format\": 2", "\"format\": 1"),
+              "house.json: is of format version 1, older than version 2 that this program reads: "
+              "preprocess the model again");
+}
+
+TEST(HouseFile, ListsItsImagesAndProvesThem) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary / "house";
+  House written = smallHouse();
+  const std::string name = portalImageName(0, true, "ldi.bin");
+  written.files[name] = fileChecksum(std::vector<std::uint8_t>{1, 2, 3});
+  writeHouse(folder, written);
+  const House read = readHouse(folder);
+  EXPECT_EQ(read.files.size(), 3u);
+  EXPECT_TRUE(hasFile(read, name));
+  const auto complaintOnImage = [&](const std::string& image) -> std::string {
+    try {
+      readHouseFile(read, folder, image);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+      return error.what();
+    }
+    return "";
+  };
+  const std::string file = portalImageFolder(folder, 0, true) + "/ldi.bin";
+  EXPECT_EQ(complaintOnImage(name),
+            file + ": is missing, and house.json lists it; preprocess the model again");
+  createFolders(portalImageFolder(folder, 0, true));
+  writeFileAtomically(file, std::vector<std::uint8_t>{1, 2, 3});
+  EXPECT_EQ(complaintOnImage(name), "");
+  writeFileAtomically(file, std::vector<std::uint8_t>{1, 2, 4});
+  EXPECT_SAYS(complaintOnImage(name),
+              file + ": is cut short, damaged, or of another house or portal");
+  EXPECT_SAYS(complaintOnImage(portalImageName(0, false, "ldi.bin")), "is none of the files");
 }
 
 TEST(HouseFile, RejectsAFlippedByteInAnyOfItsFiles) {
@@ -218,7 +254,7 @@ TEST(HouseFile, RejectsFilesOfAnotherHouse) {
   writeHouse(temporary / "b", other);
   std::filesystem::copy_file(geometryFile(temporary / "b"), geometryFile(temporary / "a"),
                              std::filesystem::copy_options::overwrite_existing);
-  EXPECT_SAYS(complaint(temporary / "a"), "another house");
+  EXPECT_SAYS(complaint(temporary / "a"), "of another house");
 }
 
 TEST(HouseFile, RejectsValuesOutOfRangeAndNamesThem) {
