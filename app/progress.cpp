@@ -19,10 +19,23 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-std::string progressLine(const std::string& stage, double done, double seconds) {
+std::string progressLine(const std::string& stage, double done, double seconds,
+                         const std::string& remaining) {
   const std::string share =
       done < 1 ? fmt::format("{:.0f} %", 100 * std::max(done, 0.0)) : std::string();
-  return fmt::format("{:<28} {:>5} {:>8.1f} s", stage, share, seconds);
+  return fmt::format("{:<28} {:>5} {:>8.1f} s{}{}", stage, share, seconds,
+                     remaining.empty() ? "" : "  ", remaining);
+}
+
+std::string remainingText(double done, std::size_t parts, double seconds) {
+  std::string text;
+  if (parts > 0) {
+    text = fmt::format("{:.0f} of {}", done * static_cast<double>(parts), parts);
+  }
+  if (seconds < 0) return text;
+  if (!text.empty()) text += ", ";
+  if (seconds < 99.5) return text + fmt::format("{:.0f} s left", seconds);
+  return text + fmt::format("{:.0f} min left", seconds / 60);
 }
 
 std::string progressBar(double done, int width) {
@@ -45,8 +58,13 @@ void ProgressPrinter::update(const std::string& stage, double done) {
   if (starts) {
     stage_start_ = last_shown_ = Clock::now();
     stage_ = stage;
+    first_done_ = 0;
   }
   done_ = done;
+  if (first_done_ <= 0 && done > 0) {
+    first_done_ = done;
+    first_time_ = Clock::now();
+  }
   if (done >= 1) {
     endStage();
   } else if (terminal_ && (starts || secondsSince(last_shown_) > kSecondsBetweenBars)) {
@@ -54,6 +72,11 @@ void ProgressPrinter::update(const std::string& stage, double done) {
   } else if (!terminal_ && secondsSince(last_shown_) > kSecondsBetweenLines) {
     printLine();
   }
+}
+
+void ProgressPrinter::countParts(const std::string& stage, std::size_t parts) {
+  parts_stage_ = stage;
+  parts_ = parts;
 }
 
 ProgressSink ProgressPrinter::sink() {
@@ -68,18 +91,28 @@ void ProgressPrinter::endStage() {
   stage_.clear();
 }
 
+std::string ProgressPrinter::line() const {
+  std::string remaining;
+  if (done_ < 1) {
+    // Of what this run has done alone: an earlier one may have done the rest.
+    const double here = done_ - first_done_;
+    const double left = here > 0 ? (1 - done_) / here * secondsSince(first_time_) : -1;
+    remaining = remainingText(done_, stage_ == parts_stage_ ? parts_ : 0, left);
+  }
+  return progressLine(stage_, done_, secondsSince(stage_start_), remaining);
+}
+
 void ProgressPrinter::drawBar() {
   last_shown_ = Clock::now();
   if (quiet_) return;
-  std::fprintf(stderr, "\r\033[K%s %s", progressBar(done_, 24).c_str(),
-               progressLine(stage_, done_, secondsSince(stage_start_)).c_str());
+  std::fprintf(stderr, "\r\033[K%s %s", progressBar(done_, 24).c_str(), line().c_str());
   std::fflush(stderr);
 }
 
 void ProgressPrinter::printLine() {
   last_shown_ = Clock::now();
   if (quiet_) return;
-  std::fprintf(stderr, "%s\n", progressLine(stage_, done_, secondsSince(stage_start_)).c_str());
+  std::fprintf(stderr, "%s\n", line().c_str());
 }
 
 }  // namespace enfilade

@@ -18,6 +18,16 @@ TEST(Progress, AFinishedStageSaysItsTimeAndNoShare) {
   EXPECT_EQ(progressLine("voxelise", 0.25, 2.04), "voxelise                      25 %      2.0 s");
 }
 
+TEST(Progress, AStageUnderWaySaysWhatRemains) {
+  EXPECT_EQ(progressLine("bake", 0.44, 12.1, "37 of 84, 15 s left"),
+            "bake                          44 %     12.1 s  37 of 84, 15 s left");
+  EXPECT_EQ(remainingText(37 / 84.0, 84, 15.4), "37 of 84, 15 s left");
+  EXPECT_EQ(remainingText(0, 84, -1), "0 of 84");
+  EXPECT_EQ(remainingText(0.5, 0, 95), "95 s left");
+  EXPECT_EQ(remainingText(0.5, 0, 1800), "30 min left");
+  EXPECT_EQ(remainingText(0.5, 0, -1), "");
+}
+
 TEST(Progress, WithoutATerminalAStageIsOneLineWhenItEnds) {
   testing::internal::CaptureStderr();
   {
