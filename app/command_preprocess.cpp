@@ -6,7 +6,7 @@
 #include "app/console.h"
 #include "app/gl_option.h"
 #include "app/help_format.h"
-#include "app/progress.h"
+#include "app/preprocess_run.h"
 #include "ibr/capture_plan.h"
 #include "preprocess/preprocess.h"
 
@@ -30,9 +30,8 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
   parameters.image.bake = parseImageKinds(options.bake);
   // Before the long work, so that a machine without it says so at once.
   if (parameters.images && parameters.gl == GlBackend::kEgl) createGlContext(parameters.gl, 1);
-  ProgressPrinter progress(quiet);
   const PreprocessResult result =
-      preprocessBuilding(options.model, options.output, parameters, progress.sink());
+      runPreprocessing(options.model, options.output, parameters, quiet);
   double seconds = 0;
   for (const StageTime& stage : result.stages) seconds += stage.seconds;
   const CellGraph& graph = result.house.graph;
@@ -167,7 +166,10 @@ void addPreprocessCommand(CLI::App& program, CommandContext& context) {
       context.quiet);
   command->add_option("MODEL", options->model, "The building: a .glb, .gltf or .obj file")
       ->required();
-  command->add_option("-o,--output", options->output, "The house folder to write")
+  command
+      ->add_option("-o,--output", options->output,
+                   "The house folder to write; what an interrupted run of the same command left "
+                   "there is gone on with")
       ->required()
       ->type_name("HOUSE");
   command

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t asked = 0;
+volatile std::sig_atomic_t signal_asked = 0;
 
-void remember(int signal) { asked = signal; }
+void remember(int signal) { signal_asked = signal; }
 
 }  // namespace
 
 Interruption::Interruption() {
-  asked = 0;
+  signal_asked = 0;
   for (const int signal : kSignals) {
     struct sigaction action {};
     // What is ignored, as by nohup, stays so.
@@ -38,8 +38,13 @@ Interruption::~Interruption() {
   }
 }
 
+std::optional<Interrupted> Interruption::asked() {
+  if (signal_asked == 0) return std::nullopt;
+  return Interrupted{signal_asked};
+}
+
 void Interruption::throwIfAsked() {
-  if (asked != 0) throw Interrupted{asked};
+  if (const auto interrupted = asked()) throw Interrupted{*interrupted};
 }
 
 void endBy(const Interrupted& interrupted) {

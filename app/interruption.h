@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace enfilade {
 
 /// Thrown where work stops because the person, or the system, asked for it.
@@ -16,6 +18,8 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
+  /// The one that came, if one did.
+  static std::optional<Interrupted> asked();
   /// Throws Interrupted if one came.
   static void throwIfAsked();
 };

@@ -10,6 +10,7 @@
 #include "ibr/raycast_ldi.h"
 #include "portals/open_doors.h"
 #include "preprocess/bake_views.h"
+#include "preprocess/side_folder.h"
 #include "preprocess/work_crew.h"
 #include "render/renderer.h"
 #include "scene/file_io.h"
@@ -19,17 +20,6 @@
 namespace enfilade {
 
 namespace {
-
-/// The sides that get images: each is baked at once.
-std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
-  std::vector<PortalSide> sides;
-  for (PortalId id = 0; id < graph.portals.size(); ++id) {
-    for (const bool from_front : {true, false}) {
-      if (getsImage(graph.portals[id], from_front)) sides.push_back({id, from_front});
-    }
-  }
-  return sides;
-}
 
 /// What all sides need, and nothing changes.
 struct Baking {
@@ -50,6 +40,7 @@ struct Baking {
   ObjectIndex index;
   double far_depth;
   std::unique_ptr<RayCaster> caster;  ///< if images are made by rays
+  std::function<void()> checkpoint;
 };
 
 /// Bakes one side after another on one thread, with an OpenGL context of its own.
@@ -62,15 +53,16 @@ class SideBaker {
 
   /// Writes the images of `side` into its folder.
   void bake(const PortalSide& side) {
-    const std::string folder = portalImageFolder(baking_.folder, side.portal, side.from_front);
-    createFolders(folder);
-    if (baking_.parameters.bake.ldis) writeLdi(folder + "/" + ldiFileName(), makeLdi(side));
-    bakeSideViews(side, folder);
+    const SideFolder folder(baking_.folder, side);
+    if (baking_.parameters.bake.ldis) writeLdi(folder.path() + "/" + ldiFileName(), makeLdi(side));
+    bakeSideViews(side, folder.path());
+    folder.commit();
   }
 
  private:
   ObjectsInView objectsBehind(const PortalSide& side) const {
     return [this, side](const View& view) {
+      if (baking_.checkpoint) baking_.checkpoint();
       return baking_.index.visible(
           cullBehindPortal(baking_.house.graph, view, side.portal, side.from_front));
     };
@@ -83,13 +75,13 @@ class SideBaker {
   }
 
   Ldi makeLdi(const PortalSide& side) {
-    const auto& [house, parameters, folder, index, far_depth, caster] = baking_;
-    const Portal& portal = house.graph.portals[side.portal];
+    const ImageParameters& parameters = baking_.parameters;
+    const Portal& portal = baking_.house.graph.portals[side.portal];
     const ObjectsInView objects = objectsBehind(side);
-    return caster ? raycastLdi(*caster, portal, side.from_front, eyeLevel(side), parameters,
-                               objects, far_depth)
-                  : bakeLdi(renderer_, portal, side.from_front, eyeLevel(side), parameters, objects,
-                            far_depth);
+    return baking_.caster ? raycastLdi(*baking_.caster, portal, side.from_front, eyeLevel(side),
+                                       parameters, objects, baking_.far_depth)
+                          : bakeLdi(renderer_, portal, side.from_front, eyeLevel(side), parameters,
+                                    objects, baking_.far_depth);
   }
 
   void bakeSideViews(const PortalSide& side, const std::string& folder) {
@@ -135,27 +127,52 @@ std::uint64_t listImages(const PortalSide& side, const std::string& folder, Hous
   return sum;
 }
 
-}  // namespace
-
-BakedImages bakeImages(House& house, const ImageParameters& parameters, const std::string& folder,
-                       const BakingHands& given, const ProgressSink& progress) {
-  const Baking baking(house, parameters, folder);
-  const std::vector<PortalSide> sides = sidesWithImages(house.graph);
+/// Bakes `sides`, of `all` those that are not yet baked.
+void bakeSides(const Baking& baking, const std::vector<PortalSide>& sides, std::size_t all,
+               const BakingHands& given, const ProgressSink& progress) {
   std::mutex telling;
-  std::size_t done = 0;
-  const Hands hands = handsFor(given.threads, parameters);
+  std::size_t done = all - sides.size();
+  const auto tell = [&] {
+    if (progress) progress(kBakingStage, static_cast<double>(done) / static_cast<double>(all));
+  };
+  if (done > 0) tell();
+  const Hands hands = handsFor(given.threads, baking.parameters);
   shareOutJobs(sides.size(), hands.bakers, [&] {
     return
         [&, baker = std::make_shared<SideBaker>(baking, given.gl, hands.drawing)](std::size_t i) {
           baker->bake(sides[i]);
           const std::lock_guard lock(telling);
           ++done;
-          if (progress) {
-            progress("bake the portals' images",
-                     static_cast<double>(done) / static_cast<double>(sides.size()));
-          }
+          tell();
         };
   });
+}
+
+}  // namespace
+
+std::vector<PortalSide> sidesWithImages(const CellGraph& graph) {
+  std::vector<PortalSide> sides;
+  for (PortalId id = 0; id < graph.portals.size(); ++id) {
+    for (const bool from_front : {true, false}) {
+      if (getsImage(graph.portals[id], from_front)) sides.push_back({id, from_front});
+    }
+  }
+  return sides;
+}
+
+BakedImages bakeImages(House& house, const ImageParameters& parameters, const std::string& folder,
+                       const BakingHands& hands, const ProgressSink& progress) {
+  const std::vector<PortalSide> sides = sidesWithImages(house.graph);
+  std::vector<PortalSide> left;
+  for (const PortalSide& side : sides) {
+    if (!isBaked(folder, side)) left.push_back(side);
+  }
+  if (hands.sides) hands.sides(sides.size() - left.size(), sides.size());
+  if (!left.empty()) {
+    Baking baking(house, parameters, folder);
+    baking.checkpoint = hands.checkpoint;
+    bakeSides(baking, left, sides.size(), hands, progress);
+  }
   BakedImages baked{sides.size(), 0};
   for (const PortalSide& side : sides) baked.bytes += listImages(side, folder, house);
   return baked;

@@ -1,29 +1,41 @@
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
+#include <vector>
+
+#include "preprocess/folder_lock.h"
 
 namespace enfilade {
 
-/// A folder in which a house is being written.  It may be new, empty, a house, or what an
-/// interrupted run left; anything else is refused, so that nothing of anyone's is lost.  The old
-/// house there ends when writing begins.  If finish() is never reached, a folder that was created
-/// here is removed again.
+/// A folder in which a house is being made, by one process at a time.  It may be new, empty, a
+/// house, or what an interrupted run left; anything else is refused, so that nothing of anyone's is
+/// lost.  Folders that were created here and stay empty are removed again.
 class HouseFolder {
  public:
-  /// Throws Error (kMachine) if the folder cannot be written, (kUsage) if it holds something else.
+  /// Throws Error: kMachine if the folder cannot be written or another process is at work there,
+  /// kUsage if it holds something else.
   explicit HouseFolder(const std::string& folder);
   ~HouseFolder();
   HouseFolder(const HouseFolder&) = delete;
   HouseFolder& operator=(const HouseFolder&) = delete;
 
-  /// Removes the old house's files.
-  void clear();
-  void finish() noexcept { finished_ = true; }
+  const std::string& path() const noexcept { return folder_; }
 
  private:
+  void createMissing();
+
   std::string folder_;
-  bool created_ = false;
-  bool finished_ = false;
+  std::vector<std::string> created_;  ///< outermost first
+  std::optional<FolderLock> lock_;
 };
+
+/// Throws Error (kUsage) if `folder` holds anything but `own` and leftovers of what was half
+/// written.
+void refuseOtherThings(const std::string& folder, const std::set<std::string>& own);
+
+/// Whether `name` is that of a file of ours which was still being written.
+bool isHalfWritten(const std::string& name);
 
 }  // namespace enfilade

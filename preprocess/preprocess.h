@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,15 +48,26 @@ struct PreprocessResult {
   std::uint64_t image_bytes = 0;
 };
 
+/// Who is told of the work, and may stop it: by throwing, from any of these.
+struct PreprocessListener {
+  ProgressSink progress;
+  std::function<void(const std::string& line)> note = {};  ///< what a person should know
+  /// Before the baking: portal sides that are finished already, and all.
+  std::function<void(std::size_t finished, std::size_t all)> sides = {};
+  std::function<void()> checkpoint = {};  ///< called every few captures, from any thread
+};
+
 /// Reads the model at `model_file`, finds its cells and portals, shares its geometry out to the
-/// cells, bakes the portals' images and writes the house `folder`; house.json last, so that what is
-/// interrupted is no house.  An old house there is replaced; a folder that holds something else is
-/// refused.  The same bytes for the same model and parameters, whatever the threads; by
-/// EGL on the same machine. Throws Error:
+/// cells, bakes the portals' images and puts the house into `folder`, which is locked meanwhile. An
+/// old house there stays whole until the new one takes its place; a folder that holds something
+/// else is refused.  However this ends, killed at any moment, the next run with the same model and
+/// parameters goes on from the cells, once found, and from every finished portal side, and makes
+/// the same bytes as one that was never interrupted; see UnfinishedHouse. The same bytes for the
+/// same model and parameters, whatever the threads; by EGL on the same machine.  Throws Error:
 /// kBadInput for the model or the graph, kUsage for a graph or other things in the folder, kMachine
-/// for the folder or the machine.
+/// for the folder, one that is in use, or the machine.
 PreprocessResult preprocessBuilding(const std::string& model_file, const std::string& folder,
                                     const PreprocessParameters& parameters,
-                                    const ProgressSink& progress = {});
+                                    const PreprocessListener& listener = {});
 
 }  // namespace enfilade

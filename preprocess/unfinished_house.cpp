@@ -1,0 +1,149 @@
+#include "preprocess/unfinished_house.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "portals/house_json.h"
+#include "preprocess/bake_images.h"
+#include "preprocess/house_folder.h"
+#include "preprocess/side_folder.h"
+#include "scene/durable.h"
+#include "scene/error.h"
+#include "scene/file_io.h"
+
+namespace enfilade {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<const char*, 3> kMovedParts = {"cells.grid", "geometry.glb", "images"};
+
+std::string jobFile(const std::string& path) { return path + "/job.json"; }
+std::string finishedFile(const std::string& path) { return path + "/finished.json"; }
+std::string imagesFolder(const std::string& path) { return path + "/images"; }
+
+std::string textOf(const std::string& file) {
+  const std::vector<std::uint8_t> bytes = readFile(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+void require(const std::error_code& error, const std::string& path) {
+  if (error) throw Error(ErrorKind::kMachine, path, "cannot be replaced: " + error.message());
+}
+
+void removeAll(const fs::path& path) {
+  std::error_code error;
+  fs::remove_all(path, error);
+  require(error, path.string());
+}
+
+/// Moves a part of a house in the place of an older one, unless that has been done.
+void moveInto(const fs::path& to, const fs::path& from) {
+  if (!exists(from.string())) return;
+  removeAll(to);
+  std::error_code error;
+  if (fs::is_directory(from) && fs::is_empty(from)) {
+    fs::remove(from, error);  // a house without images has no folder for them
+  } else {
+    fs::rename(from, to, error);
+  }
+  require(error, to.string());
+}
+
+}  // namespace
+
+UnfinishedHouse::UnfinishedHouse(std::string house_folder, PreprocessJob job)
+    : house_folder_(std::move(house_folder)),
+      path_(unfinishedFolder(house_folder_)),
+      job_(std::move(job)) {}
+
+UnfinishedHouse::~UnfinishedHouse() {
+  std::error_code ignored;
+  if (ours_ && !isHouse(path_)) fs::remove_all(path_, ignored);
+}
+
+bool UnfinishedHouse::isOfThisJob() const {
+  return exists(jobFile(path_)) && textOf(jobFile(path_)) == jobText(job_);
+}
+
+std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std::string&)>& note) {
+  if (!exists(path_)) return std::nullopt;
+  refuseOtherThings(
+      path_, {"job.json", "cells.grid", "geometry.glb", "house.json", "images", "finished.json"});
+  ours_ = true;
+  std::string why;
+  try {
+    if (isHouse(path_) && isOfThisJob()) return readHouse(path_);
+    if (isHouse(path_) && exists(jobFile(path_)))
+      why = differenceOfJobs(textOf(jobFile(path_)), job_);
+  } catch (const Error& error) {
+    why = error.what();
+  }
+  if (note && !why.empty()) note(fmt::format("{}: cannot be gone on with: {}", path_, why));
+  removeAll(path_);
+  return std::nullopt;
+}
+
+std::optional<House> UnfinishedHouse::takeUpFinished() {
+  if (!exists(finishedFile(path_)) || !isOfThisJob()) return std::nullopt;
+  moveIntoPlace();
+  return readHouse(house_folder_);
+}
+
+House UnfinishedHouse::write(const House& house) {
+  removeAll(path_);
+  createFolders(path_);
+  ours_ = true;
+  writeFileAtomically(jobFile(path_), jobText(job_));
+  writeHouse(path_, house);
+  syncFolder(path_);
+  return readHouse(path_);
+}
+
+void UnfinishedHouse::finish(const House& house) {
+  createFolders(imagesFolder(path_));
+  writeFileAtomically(finishedFile(path_), encodeHouseJson(house, house.files));
+  syncFolder(path_);
+  moveIntoPlace();
+}
+
+void UnfinishedHouse::moveIntoPlace() {
+  removeAll(houseJsonFile(house_folder_));  // from here on it is no house
+  for (const char* part : kMovedParts) {
+    moveInto(fs::path(house_folder_) / part, fs::path(path_) / part);
+  }
+  moveInto(houseJsonFile(house_folder_), finishedFile(path_));
+  for (const auto& entry : fs::directory_iterator(house_folder_)) {
+    if (isHalfWritten(entry.path().filename().string())) removeAll(entry.path());
+  }
+  syncFolder(house_folder_);
+  removeAll(jobFile(path_));  // first: without it nobody goes on
+  removeAll(path_);
+}
+
+std::string describeUnfinished(const std::string& folder) {
+  const std::string path = unfinishedFolder(folder);
+  if (!isHouse(path)) return {};
+  House house;
+  try {
+    decodeHouseJson(textOf(houseJsonFile(path)), houseJsonFile(path), house);
+  } catch (const Error&) {
+    return {};
+  }
+  const std::vector<PortalSide> sides = sidesWithImages(house.graph);
+  std::size_t finished = 0;
+  for (const PortalSide& side : sides) finished += isBaked(path, side);
+  return fmt::format(
+      "{} of {} portal sides are finished and kept in {}: the same command goes on from there",
+      finished, sides.size(), path);
+}
+
+}  // namespace enfilade
