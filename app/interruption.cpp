@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 
 namespace enfilade {
@@ -11,7 +12,9 @@ namespace {
 
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t signal_asked = 0;
+// Set by a signal handler, read by any thread.
+std::atomic<int> signal_asked{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void remember(int signal) { signal_asked = signal; }
 
@@ -39,8 +42,8 @@ Interruption::~Interruption() {
 }
 
 std::optional<Interrupted> Interruption::asked() {
-  if (signal_asked == 0) return std::nullopt;
-  return Interrupted{signal_asked};
+  const int signal = signal_asked;
+  return signal == 0 ? std::nullopt : std::optional(Interrupted{signal});
 }
 
 void Interruption::throwIfAsked() {

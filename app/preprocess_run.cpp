@@ -1,5 +1,7 @@
 #include "app/preprocess_run.h"
 
+#include <filesystem>
+
 #include "app/console.h"
 #include "app/interruption.h"
 #include "app/program.h"
@@ -20,9 +22,17 @@ void sayWhatIsKept(const std::string& output) {
   printError("stopped: " + (kept.empty() ? "nothing was finished yet, and nothing is kept" : kept));
 }
 
+/// Before the program is ended in its tracks.
+void sayAndTidy(const std::string& output, bool was_there) {
+  sayWhatIsKept(output);
+  std::error_code ignored;
+  if (!was_there) std::filesystem::remove(output, ignored);  // unless something is in it
+}
+
 PreprocessResult runTelling(const std::string& model, const std::string& output,
                             const PreprocessParameters& parameters, bool quiet) {
-  const StopDeadline deadline(kPatience, [&] { sayWhatIsKept(output); });
+  const bool was_there = std::filesystem::exists(output);
+  const StopDeadline deadline(kPatience, [&] { sayAndTidy(output, was_there); });
   ProgressPrinter printer(quiet);
   const ProgressSink sink = printer.sink();
   PreprocessListener listener;
