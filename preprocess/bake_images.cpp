@@ -13,7 +13,7 @@
 #include "preprocess/side_folder.h"
 #include "preprocess/work_crew.h"
 #include "render/renderer.h"
-#include "scene/file_io.h"
+#include "scene/error.h"
 #include "visibility/object_index.h"
 #include "visibility/portal_culling.h"
 
@@ -114,15 +114,19 @@ Hands handsFor(int threads, const ImageParameters& parameters) {
   return {std::min(threads, kMostBakers), threads > kMostBakers ? threads - kMostBakers : 1};
 }
 
-/// Lists the images of `side` that stand in `folder` in `house`; their bytes.
-std::uint64_t listImages(const PortalSide& side, const std::string& folder, House& house) {
+void listImages(const PortalSide& side, const std::string& folder, House& house) {
+  auto files = bakedFiles(folder, side);
+  if (!files) {
+    throw Error(ErrorKind::kMachine, portalImageFolder(folder, side.portal, side.from_front),
+                "is not as it was written: something else is at work there");
+  }
+  house.files.merge(*files);
+}
+
+std::uint64_t bytesOfImages(const House& house, const std::string& folder) {
   std::uint64_t sum = 0;
-  const std::string images = portalImageFolder(folder, side.portal, side.from_front);
-  for (const auto& entry : std::filesystem::directory_iterator(images)) {
-    const std::string name = entry.path().filename().string();
-    const std::vector<std::uint8_t> bytes = readFile(entry.path().string());
-    house.files[portalImageName(side.portal, side.from_front, name)] = fileChecksum(bytes);
-    sum += bytes.size();
+  for (const auto& [name, checksum] : house.files) {
+    if (name.starts_with("images/")) sum += std::filesystem::file_size(folder + "/" + name);
   }
   return sum;
 }
@@ -165,7 +169,11 @@ BakedImages bakeImages(House& house, const ImageParameters& parameters, const st
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
   std::vector<PortalSide> left;
   for (const PortalSide& side : sides) {
-    if (!isBaked(folder, side)) left.push_back(side);
+    if (auto files = bakedFiles(folder, side)) {
+      house.files.merge(*files);
+    } else {
+      left.push_back(side);
+    }
   }
   if (hands.sides) hands.sides(sides.size() - left.size(), sides.size());
   if (!left.empty()) {
@@ -173,9 +181,8 @@ BakedImages bakeImages(House& house, const ImageParameters& parameters, const st
     baking.checkpoint = hands.checkpoint;
     bakeSides(baking, left, sides.size(), hands, progress);
   }
-  BakedImages baked{sides.size(), 0};
-  for (const PortalSide& side : sides) baked.bytes += listImages(side, folder, house);
-  return baked;
+  for (const PortalSide& side : left) listImages(side, folder, house);
+  return {sides.size(), bytesOfImages(house, folder)};
 }
 
 }  // namespace enfilade

@@ -32,7 +32,7 @@ struct BakingHands {
 std::vector<PortalSide> sidesWithImages(const CellGraph& graph);
 
 /// Bakes the images of the kinds in `parameters.bake` of every portal side of `house` that gets one
-/// into `folder` (see SideFolder), and lists them in `house.files`.  Sides whose folders stand
+/// into `folder` (see SideFolder), and lists them in `house.files`.  Sides that are recorded
 /// there are taken as they are, so that baking can be stopped whenever and gone on with.  The same
 /// bytes for any number of threads.  Throws Error (kMachine).
 BakedImages bakeImages(House& house, const ImageParameters& parameters, const std::string& folder,

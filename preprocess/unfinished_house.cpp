@@ -76,8 +76,8 @@ bool UnfinishedHouse::isOfThisJob() const {
 
 std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std::string&)>& note) {
   if (!exists(path_)) return std::nullopt;
-  refuseOtherThings(
-      path_, {"job.json", "cells.grid", "geometry.glb", "house.json", "images", "finished.json"});
+  refuseOtherThings(path_, {"job.json", "cells.grid", "geometry.glb", "house.json", "images",
+                            "sides", "finished.json"});
   ours_ = true;
   std::string why;
   try {
@@ -104,7 +104,6 @@ House UnfinishedHouse::write(const House& house) {
   ours_ = true;
   writeFileAtomically(jobFile(path_), jobText(job_));
   writeHouse(path_, house);
-  syncFolder(path_);
   return readHouse(path_);
 }
 
@@ -140,7 +139,7 @@ std::string describeUnfinished(const std::string& folder) {
   }
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
   std::size_t finished = 0;
-  for (const PortalSide& side : sides) finished += isBaked(path, side);
+  for (const PortalSide& side : sides) finished += isRecorded(path, side);
   return fmt::format(
       "{} of {} portal sides are finished and kept in {}: the same command goes on from there",
       finished, sides.size(), path);

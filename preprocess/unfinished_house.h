@@ -14,7 +14,8 @@ namespace enfilade {
 ///
 ///     job.json                              what is made of what: only the same job goes on
 ///     cells.grid, geometry.glb, house.json  a house without images; house.json stands last
-///     images/portal-PPPP-front, -back       the finished portal sides, see bakeImages()
+///     images/portal-PPPP-front, -back       the portal sides, see SideFolder
+///     sides/portal-PPPP-front, -back        records of those that are finished
 ///     finished.json                         the house.json to be: all is there but the moving
 ///
 /// Nothing stands under its name before it is whole, so that it can be gone on with whenever it was

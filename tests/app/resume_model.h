@@ -113,15 +113,15 @@ class ResumeTest : public ::testing::Test {
   static std::map<std::string, ino_t> finishedImages() {
     std::map<std::string, ino_t> images;
     std::error_code gone;  // what is looked at while the program is at work
-    const std::string folder = path("house/unfinished/images");
-    for (std::filesystem::directory_iterator side(folder, gone), end; !gone && side != end;
-         side.increment(gone)) {
-      if (side->path().extension() == ".part") continue;
-      for (const auto& image : std::filesystem::directory_iterator(side->path())) {
+    const std::string folder = path("house/unfinished");
+    for (std::filesystem::directory_iterator side(folder + "/sides", gone), end;
+         !gone && side != end; side.increment(gone)) {
+      const std::string name = "images/" + side->path().filename().string();
+      if (name.find(".tmp-") != std::string::npos) continue;
+      for (const auto& image : std::filesystem::directory_iterator(folder + "/" + name)) {
         struct stat status {};
-        const auto name = side->path().filename() / image.path().filename();
         if (stat(image.path().c_str(), &status) == 0) {
-          images["images/" + name.string()] = status.st_ino;
+          images[name + "/" + image.path().filename().string()] = status.st_ino;
         }
       }
     }

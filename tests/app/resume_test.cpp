@@ -156,6 +156,16 @@ TEST_F(HalfDone, DamagedWorkIsMadeAfresh) {
   expectAsUndisturbed("house");
 }
 
+TEST_F(HalfDone, ASideWithADamagedImageIsBakedAgain) {
+  leaveHalf(job("house"));
+  const std::string file = path("house/unfinished/") + finishedImages().begin()->first;
+  std::string bytes = textOf(file);
+  bytes[bytes.size() / 2] ^= 1;
+  writeText(file, bytes);
+  EXPECT_EQ(run(job("house")).status, 0);
+  expectAsUndisturbed("house");
+}
+
 TEST_F(HalfDone, OtherThingsInItAreNotRemoved) {
   leaveHalf(job("house"));
   writeText(path("house/unfinished/thesis"), "irreplaceable");
