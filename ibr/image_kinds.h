@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -9,11 +10,20 @@ namespace enfilade {
 /// viewpoint, or a layered depth image.
 enum class ImageKind : std::uint8_t { kTexture, kReference, kLdi };
 
+inline constexpr std::array kAllImageKinds = {ImageKind::kTexture, ImageKind::kReference,
+                                              ImageKind::kLdi};
+
 /// Some of the kinds of images.
 struct ImageKinds {
   bool textures = true;
   bool references = true;
   bool ldis = true;
+
+  bool has(ImageKind kind) const noexcept {
+    return kind == ImageKind::kTexture     ? textures
+           : kind == ImageKind::kReference ? references
+                                           : ldis;
+  }
 };
 
 /// "texture,warp,ldi": the kinds by the method that shows them first.

@@ -113,6 +113,14 @@ void indexColumns(Ldi& ldi) {
 
 }  // namespace
 
+std::size_t ldiBytes(int width, int height, std::size_t tiles, std::size_t samples) noexcept {
+  const auto rows = static_cast<std::size_t>((height + kLdiTile - 1) / kLdiTile);
+  const auto columns = static_cast<std::size_t>((width + kLdiTile - 1) / kLdiTile);
+  constexpr std::size_t kIndex = sizeof(std::uint32_t);
+  return samples * sizeof(LdiSample) + tiles * (sizeof(LdiTile) + kIndex) + (rows + 1) * kIndex +
+         columns * sizeof(LdiColumn) + (columns + 1) * kIndex;
+}
+
 void indexTiles(Ldi& ldi) {
   const auto rows = static_cast<std::size_t>((ldi.camera.height + kLdiTile - 1) / kLdiTile);
   ldi.row_tiles.assign(rows + 1, 0);

@@ -90,6 +90,12 @@ struct Ldi {
   }
 };
 
+/// The bytes that an image with a window of `width` × `height` pixels takes in memory.
+std::size_t ldiBytes(int width, int height, std::size_t tiles, std::size_t samples) noexcept;
+inline std::size_t ldiBytes(const Ldi& ldi) noexcept {
+  return ldiBytes(ldi.camera.width, ldi.camera.height, ldi.tiles.size(), ldi.samples.size());
+}
+
 /// The samples of pixel (x, y), nearest first: layer one, two …
 std::vector<LdiSample> layersAt(const Ldi& ldi, int x, int y);
 

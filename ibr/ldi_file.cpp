@@ -49,6 +49,7 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
   throw Error(ErrorKind::kBadInput, file, reason);
 }
 
+/// The header of a file that begins with `bytes`.
 FileHeader readHeader(const std::string& file, std::span<const std::uint8_t> bytes) {
   if (bytes.size() < sizeof(kMagic) || std::memcmp(bytes.data(), kMagic, sizeof(kMagic)) != 0) {
     reject(file, "is not a layered depth image");
@@ -69,17 +70,18 @@ FileHeader readHeader(const std::string& file, std::span<const std::uint8_t> byt
     reject(file, fmt::format("has sizes that its bytes cannot hold: {} tiles and {} samples",
                              header.tiles, header.samples));
   }
-  if (checksumOf(bytes) != header.checksum) {
-    reject(file, "is cut short or damaged: its checksum does not match");
-  }
   return header;
 }
 
-PlanarCamera readCamera(const std::string& file, const FileHeader& header) {
+void checkWindow(const std::string& file, const FileHeader& header) {
   if (header.width > kLargestWindow || header.height > kLargestWindow) {
     reject(file, fmt::format("has a window of {} × {} pixels; {} at most", header.width,
                              header.height, kLargestWindow));
   }
+}
+
+PlanarCamera readCamera(const std::string& file, const FileHeader& header) {
+  checkWindow(file, header);
   PlanarCamera camera;
   std::memcpy(&camera.center, header.center, sizeof(header.center));
   std::memcpy(&camera.world_from_pixel, header.world_from_pixel, sizeof(header.world_from_pixel));
@@ -157,6 +159,9 @@ Ldi readLdi(const std::string& file) { return decodeLdi(readFile(file), file); }
 
 Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file) {
   const FileHeader header = readHeader(file, bytes);
+  if (checksumOf(bytes) != header.checksum) {
+    reject(file, "is cut short or damaged: its checksum does not match");
+  }
   Ldi ldi;
   ldi.camera = readCamera(file, header);
   const std::vector<std::uint8_t> payload =
@@ -178,6 +183,14 @@ Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file) {
   checkTiles(file, ldi);
   indexTiles(ldi);
   return ldi;
+}
+
+std::size_t ldiBytesOfFile(const std::string& file) {
+  const FileHeader header = readHeader(file, readFileStart(file, sizeof(FileHeader)));
+  checkWindow(file, header);
+  if (header.samples == 0) return 0;
+  return ldiBytes(static_cast<int>(header.width), static_cast<int>(header.height), header.tiles,
+                  header.samples);
 }
 
 }  // namespace enfilade

@@ -34,4 +34,9 @@ void writeLdi(const std::string& file, const Ldi& ldi);
 Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file);
 Ldi readLdi(const std::string& file);  ///< likewise
 
+/// The bytes that the image in `file` will take in memory, by its header alone: nothing else of it
+/// is read or checked.  0: it has no samples.  Throws Error (kBadInput) as readLdi() does for what
+/// the header says.
+std::size_t ldiBytesOfFile(const std::string& file);
+
 }  // namespace enfilade

@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "scene/error.h"
 
@@ -66,6 +68,10 @@ bool writeWhole(const std::string& file, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::vector<std::uint8_t> readFile(const std::string& file) {
+  return readFileStart(file, std::numeric_limits<std::size_t>::max());
+}
+
+std::vector<std::uint8_t> readFileStart(const std::string& file, std::size_t most) {
   // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
   const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd.get() < 0) failRead(file);
@@ -74,7 +80,7 @@ std::vector<std::uint8_t> readFile(const std::string& file) {
   if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::kBadInput, file, "is a directory");
   if (!S_ISREG(status.st_mode)) throw Error(ErrorKind::kBadInput, file, "is not a regular file");
 
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+  std::vector<std::uint8_t> bytes(std::min(static_cast<std::size_t>(status.st_size), most));
   std::size_t size = 0;
   while (size < bytes.size()) {
     const ssize_t n = ::read(fd.get(), bytes.data() + size, bytes.size() - size);

@@ -11,6 +11,9 @@ namespace enfilade {
 /// …".
 std::vector<std::uint8_t> readFile(const std::string& file);
 
+/// Its first `most` bytes, or all if there are fewer.  Throws as readFile() does.
+std::vector<std::uint8_t> readFileStart(const std::string& file, std::size_t most);
+
 /// Writes to FILE.tmp-PID beside `file`, then renames: the old content or the new, never half.
 /// Throws Error (kMachine) with the system's reason, and leaves no temporary file behind.
 void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes);

@@ -28,6 +28,12 @@ void append(void* context, void* data, int size) {
   throw Error(ErrorKind::kBadInput, subject, reason);
 }
 
+void checkSize(int width, int height, const std::string& subject) {
+  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide) return;
+  fail(subject, "is " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels; at most 16384 x 16384 can be read");
+}
+
 }  // namespace
 
 std::string imageMimeType(std::span<const std::uint8_t> bytes) {
@@ -50,10 +56,7 @@ Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& sub
   if (!stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels)) {
     fail(subject, std::string("cannot be decoded: ") + stbi_failure_reason());
   }
-  if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide) {
-    fail(subject, "is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                      " pixels; at most 16384 x 16384 can be read");
-  }
+  checkSize(image.width, image.height, subject);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4),
       stbi_image_free);
@@ -65,6 +68,20 @@ Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& sub
 }
 
 Image readImage(const std::string& file) { return decodeImage(readFile(file), file); }
+
+glm::ivec2 readImageSize(const std::string& file) {
+  constexpr std::size_t kMagic = 8;
+  if (imageMimeType(readFileStart(file, kMagic)).empty()) {
+    fail(file, "is neither a PNG nor a JPEG image");
+  }
+  glm::ivec2 size(0);
+  int channels = 0;
+  if (!stbi_info(file.c_str(), &size.x, &size.y, &channels)) {
+    fail(file, std::string("cannot be decoded: ") + stbi_failure_reason());
+  }
+  checkSize(size.x, size.y, file);
+  return size;
+}
 
 std::vector<std::uint8_t> encodePng(const Image& image) {
   assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *

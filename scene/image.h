@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ void writePng(const std::string& file, const Image& image);
 
 /// Reads a PNG or JPEG file.  Throws Error (kBadInput).
 Image readImage(const std::string& file);
+
+/// The width and height [pixels] of a PNG or JPEG file, of which nothing else is decoded.  Throws
+/// Error (kBadInput).
+glm::ivec2 readImageSize(const std::string& file);
 
 /// The PNG file of `image`, in memory.  The same bytes on every run.
 std::vector<std::uint8_t> encodePng(const Image& image);

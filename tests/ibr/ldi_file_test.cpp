@@ -115,6 +115,22 @@ TEST_F(LdiFile, KeepsAnEmptyLdi) {
   EXPECT_TRUE(readLdi(file_).samples.empty());
 }
 
+TEST_F(LdiFile, ItsHeaderAloneTellsWhatItTakesInMemory) {
+  const Ldi read = readLdi(file_);
+  const auto bytesOf = [](const auto& values) { return values.size() * sizeof(values[0]); };
+  EXPECT_EQ(ldiBytesOfFile(file_), bytesOf(read.tiles) + bytesOf(read.row_tiles) +
+                                       bytesOf(read.columns) + bytesOf(read.column_first) +
+                                       bytesOf(read.column_order) + bytesOf(read.samples));
+  bytes_.resize(kHeader);
+  writeFileAtomically(file_, std::span<const std::uint8_t>(bytes_));
+  EXPECT_EQ(ldiBytesOfFile(file_), ldiBytes(read)) << "nothing else is read";
+  bytes_.resize(kHeader - 1);
+  writeFileAtomically(file_, std::span<const std::uint8_t>(bytes_));
+  EXPECT_THROW(ldiBytesOfFile(file_), Error);
+  writeLdi(file_, Ldi{});
+  EXPECT_EQ(ldiBytesOfFile(file_), 0u);
+}
+
 TEST_F(LdiFile, RejectsAMissingFile) { EXPECT_THROW(readLdi(file_ + ".none"), Error); }
 
 TEST_F(LdiFile, RejectsAnEmptyFile) {

@@ -30,6 +30,14 @@ TEST(ReadFile, GivesEveryByte) {
   EXPECT_TRUE(readFile(folder.file("empty", "")).empty());
 }
 
+TEST(ReadFile, TheStartOfAFileIsAsLongAsAskedForOrAsTheFile) {
+  const TempFolder folder;
+  const std::string file = folder.file("x", "content");
+  EXPECT_EQ(readFileStart(file, 3), (std::vector<std::uint8_t>{'c', 'o', 'n'}));
+  EXPECT_EQ(readFileStart(file, 100), readFile(file));
+  EXPECT_TRUE(readFileStart(file, 0).empty());
+}
+
 TEST(ReadFile, SaysThatAFileIsMissing) {
   const TempFolder folder;
   expectError([&] { readFile(folder / "none"); }, ErrorKind::kBadInput, folder / "none",

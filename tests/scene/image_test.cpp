@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
 
+#include "scene/file_io.h"
 #include "scene_test_tools.h"
 
 namespace enfilade {
@@ -50,6 +51,23 @@ TEST(Image, IsWrittenToAndReadFromAFile) {
   const TempFolder folder;
   writePng(folder / "a.png", gradient(5, 4));
   EXPECT_EQ(readImage(folder / "a.png").rgba, gradient(5, 4).rgba);
+}
+
+TEST(Image, ItsSizeIsReadFromAFileWithoutItsPixels) {
+  const TempFolder folder;
+  std::vector<std::uint8_t> png = encodePng(gradient(70, 40));
+  png.resize(png.size() / 2);
+  writeFileAtomically(folder / "half.png", std::span<const std::uint8_t>(png));
+  EXPECT_EQ(readImageSize(folder / "half.png"), glm::ivec2(70, 40));
+  expectError([&] { readImageSize(folder / "none.png"); }, ErrorKind::kBadInput,
+              folder / "none.png", "no such file");
+  folder.file("a.gif", "GIF89a, or so");
+  expectError([&] { readImageSize(folder / "a.gif"); }, ErrorKind::kBadInput, folder / "a.gif",
+              "is neither a PNG nor a JPEG");
+  png.resize(20);
+  writeFileAtomically(folder / "cut.png", std::span<const std::uint8_t>(png));
+  expectError([&] { readImageSize(folder / "cut.png"); }, ErrorKind::kBadInput, folder / "cut.png",
+              "cannot be decoded");
 }
 
 TEST(Image, ReadsJpeg) {
