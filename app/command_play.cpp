@@ -14,6 +14,8 @@
 #include "app/frame_size.h"
 #include "app/help_format.h"
 #include "app/interruption.h"
+#include "app/memory_option.h"
+#include "app/play_images.h"
 #include "app/play_options.h"
 #include "app/progress.h"
 #include "app/report.h"
@@ -54,39 +56,6 @@ void moveAskedDoors(const PlayOptions& options, House& house) {
   move(options.shut, false, "--shut");
 }
 
-const char* imagesName(ImageKind kind) {
-  switch (kind) {
-    case ImageKind::kTexture:
-      return "portal textures";
-    case ImageKind::kReference:
-      return "reference images";
-    case ImageKind::kLdi:
-      return "layered depth images";
-  }
-  return "images";
-}
-
-void requireImages(const std::vector<Method>& methods, const PortalImages& images,
-                   const std::string& house) {
-  for (const Method method : methods) {
-    const MethodInfo& info = infoOf(method);
-    if (!info.portal_images || images.count(info.image_kind) > 0) continue;
-    throw Error(ErrorKind::kBadInput, house,
-                fmt::format("has no images for the method {}, which shows {}; preprocess the model "
-                            "again with --bake {}, or play with --images on-demand",
-                            info.name, imagesName(info.image_kind), imageKindNames({})));
-  }
-}
-
-/// The images that the methods show, if they are to be read.
-PortalImages loadImages(const PlayOptions& options, const House& house, ImageSource source) {
-  if (source == ImageSource::kOnDemand) return {};
-  const std::vector<Method>& methods = options.playback.methods;
-  PortalImages images(house, options.house, imageKindsOf(methods));
-  requireImages(methods, images, options.house);
-  return images;
-}
-
 /// `folder` as seen from the report, for the page's pictures.
 std::string relativeTo(const std::string& report, const std::string& folder) {
   if (folder.empty() || report.empty()) return {};
@@ -101,12 +70,13 @@ std::vector<std::pair<std::string, std::string>> parametersOf(const PlayOptions&
           {"holes", options.warping.holes},
           {"clip", options.warping.clip},
           {"gl", glBackendName(options.gl)},
+          {"memory", options.memory_mib ? fmt::format("{} MiB", *options.memory_mib) : "no limit"},
           {"warm-up", std::to_string(options.playback.warm_up)},
           {"shut", options.shut},
           {"open", options.open}};
 }
 
-Report describe(const PlayOptions& options, const House& house, const PortalImages& images,
+Report describe(const PlayOptions& options, const House& house, const PlayImages& images,
                 const CameraPath& path) {
   Report report;
   report.tool_version = ENFILADE_VERSION;
@@ -192,6 +162,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   requireSomeOutput(options);
   const glm::ivec2 size = parseFrameSize(options.size);
   const ImageSource source = parseImageSource(options.images);
+  const std::optional<std::size_t> most_bytes = memoryLimit(options.memory_mib, source);
   const Warping warping = parseWarping(options.warping);
   const Interruption interruption;
   std::optional<StagedFolder> folder;
@@ -200,7 +171,11 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   House house = readHouse(options.house);
   moveAskedDoors(options, house);
   const CameraPath path = pathFor(options, house, context.quiet);
-  const PortalImages images = loadImages(options, house, source);
+  PlayImages images;
+  if (source == ImageSource::kBaked) {
+    images = PlayImages(house, options.house, options.playback.methods, most_bytes);
+  }
+  if (!images.note().empty()) printNote(context.quiet, images.note());
 
   std::optional<tbb::global_control> limit;
   if (options.threads > 0) {
@@ -208,7 +183,8 @@ void runPlay(PlayOptions options, const CommandContext& context) {
                   static_cast<std::size_t>(options.threads));
   }
   const std::unique_ptr<GlContext> gl = createGlContext(options.gl, options.threads);
-  FramePainter painter(*gl, house, images, size.x, size.y, options.threads, source);
+  FramePainter painter(*gl, house, images.images(), size.x, size.y, options.threads, source);
+  painter.setLimited(images.limited());
   painter.setWarping(warping);
   const float fov = options.fov_degrees > 0 ? glm::radians(options.fov_degrees) : path.vertical_fov;
   const Camera camera = walkingCamera(house, fov, size.x, size.y);

@@ -10,6 +10,7 @@
 #include "app/console.h"
 #include "app/frame_size.h"
 #include "app/help_format.h"
+#include "app/memory_option.h"
 #include "app/user_settings.h"
 #include "app/view/actions.h"
 #include "app/view/loading.h"
@@ -26,6 +27,7 @@ struct ViewArguments {
   bool fullscreen = false;
   float fov_degrees = 0;
   float speed = 0;
+  std::optional<double> memory_mib;  ///< none: no limit
   int threads = 0;
   WarpingNames warping;
 };
@@ -72,6 +74,7 @@ ViewOptions optionsOf(const ViewArguments& arguments, const CommandContext& cont
     throw Error(ErrorKind::kUsage, "--keep-in " + options.keep_in, "is no folder");
   }
   options.source = parseImageSource(arguments.images);
+  options.most_bytes = memoryLimit(arguments.memory_mib, options.source);
   options.warping = parseWarping(arguments.warping);
   options.threads = arguments.threads;
   return options;
@@ -138,6 +141,7 @@ void addViewOptions(CLI::App& command, ViewArguments& arguments) {
                   "(made while walking)")
       ->type_name("SOURCE")
       ->capture_default_str();
+  addMemoryOption(command, arguments.memory_mib);
   command.add_option("--threads", arguments.threads, "Threads; 0 is as many as the machine has")
       ->type_name("N")
       ->capture_default_str()

@@ -86,6 +86,7 @@ void FramePainter::prepare(Method method) {
   if (method == Method::kRaycast) buildRays();
   const auto maker = makers_.find(method);
   if (maker != makers_.end()) maker->second.forget();
+  if (isLimited(infoOf(method))) limited_->begin(infoOf(method));
 }
 
 FrameCost FramePainter::paint(Method method, const Camera& camera, const PaintOptions& options) {
@@ -130,15 +131,18 @@ const PortalImages& FramePainter::imagesOf(const MethodInfo& method) const {
   return source_ == ImageSource::kBaked ? baked_ : makers_.at(method.method).images();
 }
 
+bool FramePainter::isThere(const MethodInfo& method, PortalId portal, bool from_front) const {
+  if (isLimited(method)) return limited_->shows(sideIndex(portal, from_front));
+  return imagesOf(method).side(portal, from_front).has(method.image_kind);
+}
+
 VisibleSet FramePainter::cull(const View& view, const MethodInfo& method,
                               const std::optional<PortalSide>& as_geometry) const {
   ShowAsImage show_as_image;
   if (method.portal_images) {
-    const PortalImages& images = imagesOf(method);
     show_as_image = [&](const Portal& portal, PortalId id, bool from_front) {
       return portal.active && as_geometry != PortalSide{id, from_front} &&
-             images.side(id, from_front).has(method.image_kind) &&
-             isBeyondSwitch(house_, view.eye, id, from_front);
+             isThere(method, id, from_front) && isBeyondSwitch(house_, view.eye, id, from_front);
     };
   }
   return cullFromEye(house_.graph, house_.grid, view, show_as_image);
@@ -148,8 +152,17 @@ VisibleSet FramePainter::cullAndMake(const View& view, const MethodInfo& method,
                                      const std::optional<PortalSide>& as_geometry,
                                      FrameCost& cost) {
   Stopwatch watch;
+  double load_ms = 0;
+  if (isLimited(method)) {
+    limited_->beginFrame(method, frame_);
+    load_ms = watch.lapMs();
+  }
   VisibleSet set = cull(view, method, as_geometry);
   cost.cull_ms = watch.lapMs();
+  if (isLimited(method)) {
+    limited_->bringIn(set);
+    cost.load_ms = load_ms + watch.lapMs();
+  }
   const auto maker = makers_.find(method.method);
   if (maker == makers_.end()) return set;
   const bool made = maker->second.makeOne(set, view.eye);
@@ -180,6 +193,10 @@ void FramePainter::paintCells(const Camera& camera, const MethodInfo& method,
                    cost);
   }
   watch.lapMs();
+  if (isLimited(method)) {
+    limited_->endFrame(set_, chosen_for.pose.position, cost);
+    *cost.load_ms += watch.lapMs();
+  }
   cost.triangles = renderer_.draw(in_view_.objects, view).triangles;
   renderer_.finish();
   cost.draw_ms = draw_ms + watch.lapMs();

@@ -8,6 +8,7 @@
 
 #include "app/frame_record.h"
 #include "app/image_maker.h"
+#include "app/limited_images.h"
 #include "app/portal_mask.h"
 #include "app/portal_pictures.h"
 #include "app/warping.h"
@@ -41,6 +42,9 @@ class FramePainter {
   FramePainter(GlContext& context, House& house, const PortalImages& images, int width, int height,
                int threads, ImageSource source = ImageSource::kBaked);
 
+  /// Which of the baked images are there is up to `limited` from now on, whose images they are.
+  void setLimited(LimitedImages* limited) noexcept { limited_ = limited; }
+
   /// Frames are of this size from now on.
   void resize(int width, int height);
 
@@ -53,8 +57,17 @@ class FramePainter {
   void setDoors(std::span<const std::uint8_t> open);
 
   /// Begins a walk by `method`: builds what it needs beforehand, so that its first frame does not
-  /// pay for it, and forgets the images that it made on demand.
+  /// pay for it, and forgets the images that it made on demand, or asked for under a limit.
   void prepare(Method method);
+
+  /// Which frame of the walk is painted from now on, see repeatFrames().
+  void setFrame(std::size_t frame) noexcept { frame_ = frame; }
+
+  /// From now on until prepare(), frames have the images that they had when the walk was painted
+  /// first, whatever order they are painted in.  No matter without a limit.
+  void repeatFrames() noexcept {
+    if (limited_ != nullptr) limited_->repeatFrames();
+  }
 
   /// What is warped in place of a layered depth image or reference image from now on: what
   /// `stand_in` returns for it; nothing: itself.
@@ -108,6 +121,10 @@ class FramePainter {
                   const std::optional<PortalSide>& as_geometry) const;
   VisibleSet cullAndMake(const View& view, const MethodInfo& method,
                          const std::optional<PortalSide>& as_geometry, FrameCost& cost);
+  bool isThere(const MethodInfo& method, PortalId portal, bool from_front) const;
+  bool isLimited(const MethodInfo& method) const noexcept {
+    return limited_ != nullptr && method.portal_images && source_ == ImageSource::kBaked;
+  }
   void buildRays();
   const PortalImages& imagesOf(const MethodInfo& method) const;
 
@@ -116,6 +133,8 @@ class FramePainter {
   ObjectList in_view_;  // of the last frame
   Renderer renderer_;
   const PortalImages& baked_;
+  LimitedImages* limited_ = nullptr;  ///< null: all baked images are there
+  std::size_t frame_ = 0;
   std::map<Method, ImageMaker> makers_;  ///< on demand, one for each method that shows images
   ImageSource source_;
   PortalPictures pictures_;

@@ -15,7 +15,7 @@ std::optional<double> number(const std::optional<std::size_t>& count) {
 using R = const FrameRecord&;
 using V = std::optional<double>;
 
-constexpr std::array<FrameColumn, 19> kColumns = {{
+constexpr std::array<FrameColumn, 22> kColumns = {{
     {"frametime_ms", "frame_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.frametime_ms; }},
     {"cull_ms", "cull_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.cull_ms; }},
     {"warp_ms", "warp_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.warp_ms; }},
@@ -42,6 +42,10 @@ constexpr std::array<FrameColumn, 19> kColumns = {{
      [](R r) -> V { return r.quality ? r.quality->ssim_portals : V(); }},
     {"flicker", "flicker", 5, Tail::kHigh, [](R r) -> V { return r.flicker; }},
     {"capture_ms", "capture_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.capture_ms; }},
+    {"load_ms", "load_ms", 4, Tail::kHigh, [](R r) -> V { return r.cost.load_ms; }},
+    {"portals_lacking_image", "portals_lacking_image", 0, Tail::kHigh,
+     [](R r) { return number(r.cost.portals_lacking_image); }},
+    {"image_bytes", "image_bytes", 0, Tail::kHigh, [](R r) { return number(r.cost.image_bytes); }},
 }};
 
 }  // namespace

@@ -27,6 +27,11 @@ struct FrameCost {
   /// Of the frame's pixels [percent], those that no sample fell into before any filling.  Once the
   /// pictures were compared: only pixels that show a portal's image; until then also what hides it.
   std::optional<double> uncovered_percent;
+  // Under a limit on the memory for images:
+  std::optional<double> load_ms;  ///< asking for images, waiting for one that is late
+  /// Seen from so far that they would show an image of the house that is not in memory.
+  std::optional<std::size_t> portals_lacking_image;
+  std::optional<std::size_t> image_bytes;  ///< of images in memory or being read
 };
 
 /// A row of frames.csv.

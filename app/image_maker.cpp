@@ -55,13 +55,7 @@ void ImageMaker::forget() {
   images_ = PortalImages(house_);
   sides_.clear();
   sides_.resize(2 * house_.graph.portals.size());
-  frame_ = 0;
-}
-
-std::size_t ImageMaker::bytes() const noexcept {
-  std::size_t sum = 0;
-  for (const Side& side : sides_) sum += side.bytes;
-  return sum;
+  kept_ = Recency(sides_.size());
 }
 
 ImageMaker::Side& ImageMaker::sideOf(const VisiblePortal& visible) {
@@ -76,11 +70,11 @@ bool ImageMaker::lacks(const VisiblePortal& visible, const glm::vec3& eye) {
 }
 
 bool ImageMaker::makeOne(const VisibleSet& set, const glm::vec3& eye) {
-  ++frame_;
+  kept_.beginRound();
   Need first;
   for (const VisiblePortal& visible : set.portals) {
     if (!isBeyondSwitch(house_, eye, visible.portal, visible.from_front)) continue;
-    sideOf(visible).seen = frame_;
+    kept_.use(sideIndex(visible.portal, visible.from_front));
     if (!lacks(visible, eye)) continue;
     const SideImages& images = images_.side(visible.portal, visible.from_front);
     const Need need{&visible, !images.has(method_.image_kind), areaOnScreen(visible)};
@@ -119,7 +113,7 @@ void ImageMaker::make(const VisiblePortal& visible, const glm::vec3& eye) {
       break;
   }
   const std::size_t making = side.making ? kBytesInTheMaking * side.making->samplesCaptured() : 0;
-  side.bytes = images.bytes() + making;
+  kept_.keep(sideIndex(visible.portal, from_front), images.bytes() + making);
 }
 
 void ImageMaker::makeLdi(Side& side, SideImages& images, const VisiblePortal& visible,
@@ -139,19 +133,15 @@ void ImageMaker::makeLdi(Side& side, SideImages& images, const VisiblePortal& vi
 }
 
 void ImageMaker::evict() {
-  std::size_t kept = bytes();
-  while (kept > most_bytes_) {
-    const auto last = std::min_element(sides_.begin(), sides_.end(), [](auto& a, auto& b) {
-      return std::pair(a.bytes == 0, a.seen) < std::pair(b.bytes == 0, b.seen);
-    });
-    if (last->bytes == 0 || last->seen == frame_) return;
-    const auto index = static_cast<std::size_t>(last - sides_.begin());
+  while (kept_.bytes() > most_bytes_) {
+    const std::size_t index = kept_.leastRecent();
+    if (index == Recency::kNone) return;
     SideImages& images = images_.side(static_cast<PortalId>(index / 2), index % 2 == 0);
     images.textures.assign(images.textures.size(), Image());
     images.references.assign(images.references.size(), Ldi());
     images.ldi = Ldi();
-    kept -= last->bytes;
-    *last = Side();
+    sides_[index] = Side();
+    kept_.keep(index, 0);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/image_choice.h"
+#include "app/recency.h"
 #include "ibr/portal_ldi.h"
 #include "visibility/object_index.h"
 
@@ -38,14 +39,12 @@ class ImageMaker {
   /// Forgets all images.
   void forget();
 
-  std::size_t bytes() const noexcept;  ///< kept now
+  std::size_t bytes() const noexcept { return kept_.bytes(); }  ///< now
 
  private:
   struct Side {
     std::unique_ptr<PortalLdi> making;  ///< a layered depth image that is not complete
     bool complete = false;              ///< the layered depth image was made
-    std::uint64_t seen = 0;             ///< in which frame
-    std::size_t bytes = 0;              ///< that its images take
   };
   /// A portal side in need of an image.
   struct Need {
@@ -71,7 +70,7 @@ class ImageMaker {
   std::size_t most_bytes_;
   PortalImages images_;
   std::vector<Side> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
-  std::uint64_t frame_ = 0;
+  Recency kept_;             ///< of the sides, by frames in which they were seen
 };
 
 }  // namespace enfilade

@@ -2,6 +2,7 @@
 
 #include "app/gl_option.h"
 #include "app/help_format.h"
+#include "app/memory_option.h"
 
 namespace enfilade {
 
@@ -32,6 +33,7 @@ void addWalkOptions(CLI::App& command, PlayOptions& options) {
                   "portal shows geometry; at most 256 MiB of images are kept a method)")
       ->type_name("SOURCE")
       ->capture_default_str();
+  addMemoryOption(command, options.memory_mib);
   command.add_option("--size", options.size, "Size of a frame [pixels]")
       ->type_name("WxH")
       ->capture_default_str();

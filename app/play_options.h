@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "app/film_options.h"
@@ -19,6 +20,7 @@ struct PlayOptions {
   std::string shut, open;  ///< portals
   float fov_degrees = 0;   ///< 0: the path's own
   int threads = 0;
+  std::optional<double> memory_mib;  ///< of the portals' images; none: all of them
   GlBackend gl = GlBackend::kOsMesa;
   int pictures = 130;  ///< kept for the report's page, a method
   WarpingNames warping;

@@ -1,37 +1,10 @@
 #include "app/portal_images.h"
 
-#include "ibr/ldi_file.h"
 #include "ibr/portal_side.h"
 
 namespace enfilade {
 
 namespace {
-
-/// The files of one portal side in the folder of a house.
-struct SideFolder {
-  const House& house;
-  const std::string& folder;
-  PortalId portal;
-  bool from_front;
-
-  bool has(const std::string& file) const {
-    return hasFile(house, portalImageName(portal, from_front, file));
-  }
-  /// What decode(bytes, name for errors) makes of a file that is proved to be the house's.
-  template <class Decode>
-  auto read(const std::string& file, Decode&& decode) const {
-    return decode(readHouseFile(house, folder, portalImageName(portal, from_front, file)),
-                  portalImageFolder(folder, portal, from_front) + "/" + file);
-  }
-};
-
-/// Reads image i into images[i]; the house has all of them, or none.
-template <class Images, class Decode>
-void readFan(const SideFolder& side, std::string (*file_name)(std::size_t), Images& images,
-             Decode&& decode) {
-  if (images.empty() || !side.has(file_name(0))) return;
-  for (std::size_t i = 0; i < images.size(); ++i) images[i] = side.read(file_name(i), decode);
-}
 
 template <class Visit>
 void forEachSide(const House& house, Visit&& visit) {
@@ -41,33 +14,6 @@ void forEachSide(const House& house, Visit&& visit) {
 }
 
 }  // namespace
-
-bool SideImages::has(ImageKind kind) const noexcept { return count(kind) > 0; }
-
-std::size_t SideImages::count(ImageKind kind) const noexcept {
-  std::size_t found = 0;
-  switch (kind) {
-    case ImageKind::kTexture:
-      for (std::size_t i = 0; i < textures.size(); ++i) found += hasTexture(i);
-      return found;
-    case ImageKind::kReference:
-      for (std::size_t i = 0; i < references.size(); ++i) found += hasReference(i);
-      return found;
-    case ImageKind::kLdi:
-      return ldi.samples.empty() ? 0 : 1;
-  }
-  return found;
-}
-
-std::size_t SideImages::bytes() const noexcept {
-  const auto bytesOf = [](const Ldi& image) {
-    return image.samples.size() * sizeof(LdiSample) + image.tiles.size() * sizeof(LdiTile);
-  };
-  std::size_t sum = bytesOf(ldi);
-  for (const Image& texture : textures) sum += texture.rgba.size();
-  for (const Ldi& reference : references) sum += bytesOf(reference);
-  return sum;
-}
 
 PortalImages::PortalImages(const House& house) {
   const ImageParameters parameters = imageParametersFrom(house.info.parameters, "house.json");
@@ -94,11 +40,10 @@ PortalImages::PortalImages(const House& house, const std::string& folder, const 
 
 void PortalImages::read(const House& house, const std::string& folder, const ImageKinds& kinds) {
   forEachSide(house, [&](PortalId id, bool from_front) {
-    const SideFolder files{house, folder, id, from_front};
-    SideImages& there = side(id, from_front);
-    if (kinds.textures) readFan(files, textureFileName, there.textures, decodeImage);
-    if (kinds.references) readFan(files, referenceFileName, there.references, decodeLdi);
-    if (kinds.ldis && files.has(ldiFileName())) there.ldi = files.read(ldiFileName(), decodeLdi);
+    for (const ImageKind kind : kAllImageKinds) {
+      if (kinds.has(kind))
+        readSideImages({house, folder, id, from_front}, kind, side(id, from_front));
+    }
   });
 }
 

@@ -1,31 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "ibr/image_kinds.h"
-#include "ibr/ldi.h"
-#include "ibr/viewpoint_fan.h"
+#include "app/side_images.h"
 #include "portals/house.h"
-#include "scene/image.h"
 
 namespace enfilade {
-
-/// The images of one side of a portal: what a viewer on that side sees through it.
-struct SideImages {
-  ViewpointFan texture_fan;     ///< where the textures are taken from
-  ViewpointFan reference_fan;   ///< where the reference images are taken from
-  std::vector<Image> textures;  ///< one for each viewpoint; empty where there is none
-  std::vector<Ldi> references;  ///< likewise
-  Ldi ldi;                      ///< empty if there is none
-
-  bool hasTexture(std::size_t i) const noexcept { return !textures[i].rgba.empty(); }
-  bool hasReference(std::size_t i) const noexcept { return !references[i].samples.empty(); }
-  bool has(ImageKind kind) const noexcept;  ///< any image of the kind
-  std::size_t count(ImageKind kind) const noexcept;
-  std::size_t bytes() const noexcept;  ///< that the images take in memory
-};
 
 /// The images of a house in memory, two sides a portal.
 class PortalImages {

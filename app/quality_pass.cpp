@@ -118,6 +118,7 @@ PictureFindings lookAtFrames(FramePainter& painter, const Walk& walk, const Pict
   const auto report = [&](std::size_t done) {
     if (progress) progress(stage, static_cast<double>(done) / static_cast<double>(frames));
   };
+  painter.repeatFrames();
   Comparison comparison(painter, walk, pass.methods.size());
   Image picture;
   for (std::size_t frame = 0; frame < frames; ++frame) {

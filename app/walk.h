@@ -20,7 +20,8 @@ class Walk {
 
   std::size_t frames() const noexcept { return path_.poses.size(); }
 
-  /// Moves the painter's doors to where they are in a frame, and returns what the camera sees.
+  /// Tells the painter which frame it is, moves its doors to where they are in that frame, and
+  /// returns what the camera sees.
   Camera stepTo(std::size_t frame, FramePainter& painter) const;
 
  private:

@@ -1,6 +1,6 @@
 // The tables of a run: what frames take, how like geometry they are, and the worst of them.
-const stages = [["cull_ms", "cull"], ["capture_ms", "capture"], ["warp_ms", "warp"], ["composite_ms", "composite"],
-  ["draw_ms", "draw"]];
+const stages = [["cull_ms", "cull"], ["capture_ms", "capture"], ["load_ms", "load"], ["warp_ms", "warp"], 
+  ["composite_ms", "composite"], ["draw_ms", "draw"]];
 
 function showTimes(summary, methods) {
   const first = summary.methods[methods[0]].frame_ms.p50;

@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<FrameStage, kFrameStages> kStages = {{
     {"cull", {0.66f, 0.70f, 0.76f}},
     {"capture", {0.93f, 0.49f, 0.44f}},
+    {"load", {0.80f, 0.55f, 0.90f}},
     {"warp", {0.37f, 0.69f, 0.96f}},
     {"composite", {0.25f, 0.78f, 0.59f}},
     {"draw", {0.95f, 0.63f, 0.25f}},
@@ -20,9 +21,13 @@ constexpr std::array<FrameStage, kFrameStages> kStages = {{
 std::span<const FrameStage, kFrameStages> frameStages() { return kStages; }
 
 std::array<double, kFrameStages> stagesOf(const FrameCost& cost) {
-  std::array<double, kFrameStages> ms = {cost.cull_ms.value_or(0), cost.capture_ms.value_or(0),
-                                         cost.warp_ms.value_or(0), cost.composite_ms.value_or(0),
-                                         cost.draw_ms.value_or(0), 0};
+  std::array<double, kFrameStages> ms = {cost.cull_ms.value_or(0),
+                                         cost.capture_ms.value_or(0),
+                                         cost.load_ms.value_or(0),
+                                         cost.warp_ms.value_or(0),
+                                         cost.composite_ms.value_or(0),
+                                         cost.draw_ms.value_or(0),
+                                         0};
   double known = 0;
   for (const double stage : ms) known += stage;
   ms.back() = std::max(cost.frametime_ms - known, 0.0);

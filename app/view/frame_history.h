@@ -16,7 +16,7 @@ struct FrameStage {
 };
 
 /// cull, capture, warp, composite, draw, rest.
-inline constexpr std::size_t kFrameStages = 6;
+inline constexpr std::size_t kFrameStages = 7;
 std::span<const FrameStage, kFrameStages> frameStages();
 
 /// How a frame's time splits [ms]; their sum is the frame's time.

@@ -59,7 +59,8 @@ std::unique_ptr<WalkableHouse> loadWalkable(const ViewOptions& options,
   }
   tell("reading " + (name.empty() ? options.house : name));
   walkable->house = readHouse(options.house);
-  walkable->images = std::make_unique<ImageShelf>(walkable->house, options.house);
+  walkable->images =
+      std::make_unique<ImageShelf>(walkable->house, options.house, options.most_bytes);
   const Method method = parseMethods(options.settings.method).front();
   if (options.source == ImageSource::kBaked && infoOf(method).portal_images) {
     tell("reading the portals' images");

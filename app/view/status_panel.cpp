@@ -31,6 +31,9 @@ std::string portalsOf(const FrameCost& cost) {
   if (!cost.portals) return {};
   std::string line = fmt::format("{} portals", *cost.portals);
   if (cost.portals_as_images) line += fmt::format(", {} as images", *cost.portals_as_images);
+  if (cost.portals_lacking_image.value_or(0) > 0) {
+    line += fmt::format(", {} not loaded", *cost.portals_lacking_image);
+  }
   if (cost.samples) line += fmt::format(" · {} samples", grouped(*cost.samples));
   return line;
 }
@@ -108,7 +111,8 @@ PixelBox drawStatus(OverlayPainter& overlay, const Theme& theme, const glm::vec2
   const std::string portals = portalsOf(cost);
   float height = 2 * pad + 2 * line + small * (portals.empty() ? 1 : 2);
   if (!status.notes.empty()) height += small;
-  if (status.graph) height += (kGraphHeight + 8) * theme.scale + (cost.capture_ms ? 2 : 1) * small;
+  const bool makes_images = cost.capture_ms || cost.load_ms;  // one stage more
+  if (status.graph) height += (kGraphHeight + 8) * theme.scale + (makes_images ? 2 : 1) * small;
   PixelBox box{corner, corner + glm::vec2(width, height)};
   if (to_the_left) box = {{corner.x - width, corner.y}, {corner.x, corner.y + height}};
   overlay.box(box, Theme::kPanel);

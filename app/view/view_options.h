@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/frame_painter.h"
@@ -14,6 +15,7 @@ struct ViewOptions {
   std::string keep_in;    ///< folder for pictures and paths that are kept
   ViewSettings settings;  ///< remembered, and what the command line says instead
   ImageSource source = ImageSource::kBaked;
+  std::optional<std::size_t> most_bytes = {};  ///< of baked images in memory; none: no limit
   Warping warping;
   int threads = 0;
   bool quiet = false;

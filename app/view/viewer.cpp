@@ -38,6 +38,7 @@ Viewer::Viewer(GlfwWindow& window, WalkableHouse& walkable, const ViewOptions& o
       closable_(closablePortals(house_)),
       path_(walkable.tour) {
   painter_.setWarping(options.warping);
+  painter_.setLimited(walkable.images->limited());
   for (const Portal& portal : house_.graph.portals) open_.push_back(portal.active ? 1 : 0);
   stored_ = open_;
   left_.method = parseMethods(options.settings.method).front();
@@ -45,6 +46,8 @@ Viewer::Viewer(GlfwWindow& window, WalkableHouse& walkable, const ViewOptions& o
   if (!walkable.method_has_images) {
     toast_.say(
         fmt::format("The house has no images for {}: it shows geometry", options.settings.method));
+  } else if (const auto note = walkable.images->noteOn(infoOf(left_.method)); !note.empty()) {
+    toast_.say(note);
   } else {
     toast_.say("Click to look around · F1 shows the keys");
   }

@@ -117,6 +117,7 @@ void Viewer::performInspection(Action action) {
         painter_.setStandIn([this](const Ldi& image) { return layer_colors_.of(image); });
       } else {
         painter_.setStandIn({});
+        layer_colors_ = {};
       }
       return;
     default:
@@ -136,6 +137,8 @@ void Viewer::setMethod(Pane& pane, int number) {
   pane.method = method.method;
   pane.history.clear();
   painter_.prepare(pane.method);
+  const std::string note = walkable_.images->noteOn(method);
+  if (!note.empty()) return toast_.say(note);
   toast_.say(has_images ? fmt::format("{}: {}", method.name, method.description)
                         : fmt::format("{}: the house has no images for it; bake them, or view "
                                       "with --images on-demand",

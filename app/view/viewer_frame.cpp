@@ -92,8 +92,12 @@ void Viewer::paintPane(Pane& pane, const Camera& camera, float left, float right
   overlay_.picture(whole, pane.marks, 2 + slot, true, false);
   paintMarks(pane, camera, whole);
   overlay_.end();
-  // Images that are made while walking go on being made while one stands.
+  // Images that are made or read while walking go on being so while one stands.
   if (pane.history.last().capture_ms.value_or(0) > 0.05) stale_ = true;
+  if (LimitedImages* const limited = walkable_.images->limited()) {
+    if (limited->isLoading()) stale_ = true;
+    if (const auto complaint = limited->complaint()) toast_.say(*complaint);
+  }
 }
 
 void Viewer::paintMarks(const Pane& pane, const Camera& camera, const PixelBox& box) {

@@ -80,19 +80,22 @@ TEST(FramesCsv, HasTheColumnsOfTheDesignInTheirOrder) {
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "method,frame,frametime_ms,cull_ms,warp_ms,composite_ms,draw_ms,triangles,cells,"
             "portals,portals_as_images,samples,samples_clipped,psnr_db,ssim,differing_percent,"
-            "uncovered_percent,psnr_portals_db,ssim_portals,flicker,capture_ms");
+            "uncovered_percent,psnr_portals_db,ssim_portals,flicker,capture_ms,load_ms,portals_"
+            "lacking_image,"
+            "image_bytes");
 }
 
 TEST(FramesCsv, IsARowAFrameAndMethodWithEmptyCellsForWhatThereIsNot) {
   const std::vector<std::string> lines = split(framesCsv(exampleReport()), '\n');
   ASSERT_EQ(lines.size(), 8u);  // head, six rows, and what follows the last line's end
-  EXPECT_EQ(lines[2],
-            "geometry,1,20.0000,0.5000,,,19.5000,2000,,,,,,100.000,1.000000,0.00000,,,,0.00000,");
+  EXPECT_EQ(
+      lines[2],
+      "geometry,1,20.0000,0.5000,,,19.5000,2000,,,,,,100.000,1.000000,0.00000,,,,0.00000,,,,");
   EXPECT_EQ(lines[6],
             "ldi,2,9.0000,0.1000,2.0000,0.3000,1.0000,50,2,3,1,4000,1000,32.000,"
-            "0.900000,12.00000,0.25000,26.000,0.850000,0.50000,");
-  EXPECT_TRUE(lines[4].ends_with(",12.00000,0.25000,,,,")) << lines[4];
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(split(lines[i], ',').size(), 21u) << lines[i];
+            "0.900000,12.00000,0.25000,26.000,0.850000,0.50000,,,,");
+  EXPECT_TRUE(lines[4].ends_with(",12.00000,0.25000,,,,,,,")) << lines[4];
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(split(lines[i], ',').size(), 24u) << lines[i];
   EXPECT_EQ(lines[7], "");
 }
 

@@ -259,6 +259,50 @@ TEST_F(WholeJob, ImagesOnDemandNeedNoneOfTheHouseAndAreTheSameEveryTime) {
   EXPECT_FALSE(methods["culling"].contains("capture_ms"));
 }
 
+TEST_F(WholeJob, WithALimitOnMemoryTheSameEveryTimeAndWithoutRoomItIsCulling) {
+  const auto play = [&](const std::string& mib, const char* threads, const std::string& frames) {
+    const ProgramResult result =
+        run({"play", "house", "--tour", "tour.json", "--methods", "culling,texture,warp2,ldi",
+             "--memory", mib, "--size", "80x64", "--threads", threads, "--quality", "--frames-dir",
+             frames, "-q", "-o", "report-" + frames});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    return bytesBelow(frames);
+  };
+  const auto limited = play("1", "2", "limited");
+  EXPECT_EQ(play("1", "1", "limited-1"), limited);
+  const auto none = play("0", "2", "none");
+  for (const char* method : {"texture", "warp2", "ldi"}) {
+    const std::string last = std::string(method) + "/frame-00011.png";
+    EXPECT_EQ(none.at(last), none.at("culling/frame-00011.png")) << method;
+    EXPECT_EQ(limited.at(last), textOf(path("frames/" + last))) << "once it is all there";
+  }
+  const Json methods = Json::parse(textOf(path("report-limited/summary.json")))["methods"];
+  EXPECT_GT(methods["ldi"]["image_bytes"]["max"], 0);
+  EXPECT_LE(methods["ldi"]["image_bytes"]["max"], 1 << 20);
+  EXPECT_EQ(methods["ldi"]["portals_lacking_image"]["max"], 0) << "there before the first frame";
+  EXPECT_TRUE(methods["ldi"].contains("load_ms"));
+  EXPECT_FALSE(methods["culling"].contains("load_ms"));
+  const Json without = Json::parse(textOf(path("report-none/summary.json")));
+  EXPECT_EQ(without["methods"]["ldi"]["portals_as_images"]["max"], 0);
+  EXPECT_GT(without["methods"]["ldi"]["portals_lacking_image"]["max"], 0);
+  EXPECT_EQ(without["parameters"]["memory"], "0 MiB");
+}
+
+TEST_F(WholeJob, ALimitOnMemorySaysWhatItIsTooSmallForAndWhatItIsNotFor) {
+  const Arguments play = {"play",   "house", "--tour",   "tour.json", "--methods", "ldi",
+                          "--size", "32x32", "--memory", "0.001",     "-o",        "report-small"};
+  const ProgramResult small = run(play);
+  EXPECT_EQ(small.status, 0) << small.errors;
+  EXPECT_NE(small.errors.find("always show geometry: their images are larger than --memory"),
+            std::string::npos)
+      << small.errors;
+  Arguments on_demand = play;
+  on_demand.insert(on_demand.end(), {"--images", "on-demand"});
+  const ProgramResult wrong = run(on_demand);
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_TRUE(wrong.errors.starts_with("enfilade: --memory: ")) << wrong.errors;
+}
+
 TEST_F(WholeJob, ABrokenOrMissingImageIsNamed) {
   fs::copy(path("house"), path("broken"), fs::copy_options::recursive);
   const std::string images = "broken/images/portal-0000-front/";
@@ -271,8 +315,13 @@ TEST_F(WholeJob, ABrokenOrMissingImageIsNamed) {
   const std::string reference = path(images + "reference-03.bin");
   const std::string whole = textOf(reference);
   writeText(reference, whole.substr(0, whole.size() / 2));
-  EXPECT_NE(complaint("culling,warp").find("reference-03.bin: is cut short, damaged"),
-            std::string::npos);
+  EXPECT_NE(complaint("culling,warp").find("reference-03.bin: is cut short"), std::string::npos);
+  const ProgramResult limited = run({"play", "broken", "--methods", "warp", "--memory", "100",
+                                     "--size", "32x32", "-q", "-o", "report-broken"});
+  EXPECT_EQ(limited.status, 2);
+  EXPECT_TRUE(limited.errors.starts_with("enfilade: broken/images/portal-0000-front/reference-03"))
+      << limited.errors;
+  EXPECT_EQ(std::count(limited.errors.begin(), limited.errors.end(), '\n'), 1) << limited.errors;
   fs::remove(path(images + "texture-02.png"));
   EXPECT_NE(complaint("texture").find("texture-02.png: is missing"), std::string::npos);
   fs::copy(path(images + "texture-03.png"), path(images + "texture-02.png"));

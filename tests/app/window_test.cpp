@@ -135,6 +135,23 @@ TEST_F(Window, KeepsThePictureThatPlayPaints) {
   quit();
 }
 
+TEST_F(Window, UnderALimitOnMemoryItShowsTheImagesThatFitOnceTheyAreThere) {
+  const std::string frames = kept_ / "frames";
+  const ProgramResult played =
+      runEnfilade({"play", *here_ / "rooms", "--tour", *here_ / "path.json", "--methods",
+                   "culling,ldi", "--size", "320x256", "--frames-dir", frames},
+                  kept_.path());
+  ASSERT_EQ(played.status, 0) << played.errors;
+  for (const auto& [mib, method] : {std::pair("100", "ldi"), std::pair("0.001", "culling")}) {
+    openRooms({"--tour", *here_ / "path.json", "--size", "320x256", "--fov", "68.7549354",
+               "--method", "ldi", "--memory", mib});
+    act("sleep 2");  // nobody waits in the window, so the test does
+    const Image truth = readImage(frames + "/" + method + "/frame-00000.png");
+    EXPECT_GT(psnr(picture(), truth), 60) << mib;
+    quit();
+  }
+}
+
 TEST_F(Window, WalksWhereTheKeysSay) {
   openRooms({"--size", "320x256", "--method", "culling"});
   const CameraPath path = recorded("keydown w sleep 1 keyup w");
