@@ -134,7 +134,10 @@ std::size_t LimitedImages::countLacking() const noexcept {
 void LimitedImages::endFrame(const VisibleSet& set, const glm::vec3& eye, FrameCost& cost) {
   findWantedSides(house_, set, eye, wanted_);
   cost.portals_lacking_image = countLacking();
-  if (!repeats_) {
+  // Nobody waits in a window: frames faster than the disk would take back what is being read.
+  constexpr std::size_t kAtOnce = 2;
+  const bool busy = pace_ == Pace::kAsItComes && store_.reading() >= kAtOnce;
+  if (!repeats_ && !busy) {
     now_->residence.setLimit(limitForOne());
     askFor(*now_, now_->residence.endFrame(wanted_.sides));
   }
