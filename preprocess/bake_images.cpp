@@ -114,13 +114,18 @@ Hands handsFor(int threads, const ImageParameters& parameters) {
   return {std::min(threads, kMostBakers), threads > kMostBakers ? threads - kMostBakers : 1};
 }
 
-void listImages(const PortalSide& side, const std::string& folder, House& house) {
-  auto files = bakedFiles(folder, side);
-  if (!files) {
-    throw Error(ErrorKind::kMachine, portalImageFolder(folder, side.portal, side.from_front),
-                "is not as it was written: something else is at work there");
-  }
-  house.files.merge(*files);
+/// Lists the images of `side` in `house`; false if they are not all there.
+bool listImages(const PortalSide& side, const std::string& folder, House& house) {
+  const auto files = bakedFiles(folder, side);
+  if (!files) return false;
+  for (const auto& [name, checksum] : *files) house.files[name] = checksum;
+  return true;
+}
+
+void requireImages(const PortalSide& side, const std::string& folder, House& house) {
+  if (listImages(side, folder, house)) return;
+  throw Error(ErrorKind::kMachine, portalImageFolder(folder, side.portal, side.from_front),
+              "is not as it was written: something else is at work there");
 }
 
 std::uint64_t bytesOfImages(const House& house, const std::string& folder) {
@@ -169,11 +174,7 @@ BakedImages bakeImages(House& house, const ImageParameters& parameters, const st
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
   std::vector<PortalSide> left;
   for (const PortalSide& side : sides) {
-    if (auto files = bakedFiles(folder, side)) {
-      house.files.merge(*files);
-    } else {
-      left.push_back(side);
-    }
+    if (!listImages(side, folder, house)) left.push_back(side);
   }
   if (hands.sides) hands.sides(sides.size() - left.size(), sides.size());
   if (!left.empty()) {
@@ -181,7 +182,7 @@ BakedImages bakeImages(House& house, const ImageParameters& parameters, const st
     baking.checkpoint = hands.checkpoint;
     bakeSides(baking, left, sides.size(), hands, progress);
   }
-  for (const PortalSide& side : left) listImages(side, folder, house);
+  for (const PortalSide& side : left) requireImages(side, folder, house);
   return {sides.size(), bytesOfImages(house, folder)};
 }
 

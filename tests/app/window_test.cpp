@@ -25,7 +25,7 @@ class Window : public ::testing::Test {
   static void SetUpTestSuite() {
     if (!VirtualScreen::available()) return;
     here_ = std::make_unique<TemporaryFolder>();
-    const House house = colouredTwoRooms();
+    House house = colouredTwoRooms();
     std::filesystem::create_directory(*here_ / "rooms");
     bakeImages(house, parametersForAllImages(), *here_ / "rooms", {GlBackend::kOsMesa, 1}, {});
     writeHouse(*here_ / "rooms", house);
