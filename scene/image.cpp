@@ -6,17 +6,26 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstring>
 #include <limits>
 #include <memory>
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/jpeg_tables.h"
 
 namespace enfilade {
 namespace {
 
-/// The largest picture that we decode: 16384 × 16384, the most that common GPUs take.
+/// The largest side of a picture that we decode: the most that common GPUs take.
 constexpr int kMaxSide = 16384;
+/// Its most pixels: decoders need up to 17 bytes for each.
+constexpr std::int64_t kMaxPixels = std::int64_t{8192} * 8192;
+
+/// The most pixels that a byte of a file can stand for.  PNG: of one bit each, and its compression
+/// makes 1032 bytes at most of one.  JPEG: 64 for a bit, a block of the same colour as the last.
+constexpr std::int64_t kPngPixelsPerByte = 8 * 1032;
+constexpr std::int64_t kJpegPixelsPerByte = 8 * 64;
 
 void append(void* context, void* data, int size) {
   auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
@@ -28,10 +37,43 @@ void append(void* context, void* data, int size) {
   throw Error(ErrorKind::kBadInput, subject, reason);
 }
 
-void checkSize(int width, int height, const std::string& subject) {
-  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide) return;
+/// Throws unless a picture of this size may be decoded.
+void requireSize(int width, int height, const std::string& subject) {
+  const std::int64_t pixels = std::int64_t{width} * height;
+  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide && pixels <= kMaxPixels) {
+    return;
+  }
   fail(subject, "is " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels; at most 16384 x 16384 can be read");
+                    " pixels; at most 8192 x 8192 can be read, or 16384 x 4096");
+}
+
+/// Throws if a chunk of a PNG says that it is longer than what is left: the decoder would ask for
+/// all of that at once.
+void requireWholeChunks(std::span<const std::uint8_t> bytes, const std::string& subject) {
+  constexpr std::size_t kSignature = 8, kHead = 8, kChecksum = 4;
+  bytes = bytes.subspan(kSignature);
+  while (bytes.size() >= kHead) {
+    const std::size_t length = std::size_t{bytes[0]} << 24 | std::size_t{bytes[1]} << 16 |
+                               std::size_t{bytes[2]} << 8 | std::size_t{bytes[3]};
+    if (std::memcmp(&bytes[4], "IEND", 4) == 0) return;
+    if (length > bytes.size() - kHead) {
+      fail(subject, "cannot be decoded: it is cut short, or damaged");
+    }
+    bytes = bytes.subspan(std::min(kHead + length + kChecksum, bytes.size()));
+  }
+}
+
+/// Throws unless a picture of this size may be decoded and can be in `bytes`.
+void requireFittingSize(int width, int height, std::span<const std::uint8_t> bytes,
+                        const std::string& subject) {
+  requireSize(width, height, subject);
+  const std::int64_t pixels = std::int64_t{width} * height;
+  const std::int64_t each =
+      imageMimeType(bytes) == "image/png" ? kPngPixelsPerByte : kJpegPixelsPerByte;
+  if (pixels / each > std::ssize(bytes)) {
+    fail(subject, "says that it is " + std::to_string(width) + " x " + std::to_string(height) +
+                      " pixels, more than its bytes can hold");
+  }
 }
 
 }  // namespace
@@ -50,13 +92,17 @@ std::string imageMimeType(std::span<const std::uint8_t> bytes) {
 Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& subject) {
   if (imageMimeType(bytes).empty()) fail(subject, "is neither a PNG nor a JPEG image");
   if (bytes.size() > std::numeric_limits<int>::max()) fail(subject, "is too large for an image");
+  if (imageMimeType(bytes) == "image/png") requireWholeChunks(bytes, subject);
   const int size = static_cast<int>(bytes.size());
   Image image;
   int channels = 0;
   if (!stbi_info_from_memory(bytes.data(), size, &image.width, &image.height, &channels)) {
     fail(subject, std::string("cannot be decoded: ") + stbi_failure_reason());
   }
-  checkSize(image.width, image.height, subject);
+  requireFittingSize(image.width, image.height, bytes, subject);
+  if (imageMimeType(bytes) == "image/jpeg" && !hasSoundJpegTables(bytes)) {
+    fail(subject, "cannot be decoded: a table that it needs is damaged or not there");
+  }
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4),
       stbi_image_free);
@@ -79,7 +125,7 @@ glm::ivec2 readImageSize(const std::string& file) {
   if (!stbi_info(file.c_str(), &size.x, &size.y, &channels)) {
     fail(file, std::string("cannot be decoded: ") + stbi_failure_reason());
   }
-  checkSize(size.x, size.y, file);
+  requireSize(size.x, size.y, file);
   return size;
 }
 

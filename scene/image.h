@@ -40,8 +40,9 @@ std::vector<std::uint8_t> encodePng(const Image& image);
 /// every run.
 std::vector<std::uint8_t> encodeJpeg(const Image& image, int quality);
 
-/// Decodes a PNG or JPEG in memory (at most 16384 × 16384); `subject` names it in errors.  Throws
-/// Error (kBadInput).
+/// Decodes a PNG or JPEG in memory, of at most 8192 × 8192 pixels in any shape up to 16384 on a
+/// side; `subject` names it in errors.  Throws Error (kBadInput); of a file that is too small for
+/// its pixels before memory for them is asked for.
 Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& subject);
 
 /// "image/png" or "image/jpeg" by the first bytes; empty for anything else.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
 
+#include <algorithm>
+
 #include "scene/file_io.h"
 #include "scene_test_tools.h"
 
@@ -113,7 +115,39 @@ TEST(Image, RejectsAPngThatSaysItIsHuge) {
   png[16] = 0x00;  // the width, big-endian
   png[17] = 0x01;
   expectError([&] { decodeImage(png, "huge.png"); }, ErrorKind::kBadInput, "huge.png",
-              "at most 16384 x 16384");
+              "at most 8192 x 8192");
+}
+
+TEST(Image, RejectsAPngOfAGigabyteInAFewBytes) {
+  std::vector<std::uint8_t> png = encodePng(gradient(4, 4));
+  for (const std::size_t at : {18, 22}) {  // both sides are 8192
+    png[at] = 0x20;
+    png[at + 1] = 0;
+  }
+  expectError([&] { decodeImage(png, "bomb.png"); }, ErrorKind::kBadInput, "bomb.png",
+              "says that it is 8192 x 8192 pixels, more than its bytes can hold");
+}
+
+TEST(Image, RejectsAJpegOfAGigabyteInAFewBytes) {
+  std::vector<std::uint8_t> jpeg = encodeJpeg(gradient(8, 8), 90);
+  const std::vector<std::uint8_t> frame{0xff, 0xc0};
+  const auto sizes = std::search(jpeg.begin(), jpeg.end(), frame.begin(), frame.end()) + 5;
+  std::copy_n(std::vector<std::uint8_t>{0x20, 0, 0x20, 0}.begin(), 4, sizes);
+  expectError([&] { decodeImage(jpeg, "bomb.jpg"); }, ErrorKind::kBadInput, "bomb.jpg",
+              "says that it is 8192 x 8192 pixels, more than its bytes can hold");
+}
+
+TEST(Image, RejectsAPngWhoseChunkIsLongerThanTheFile) {
+  std::vector<std::uint8_t> png = encodePng(gradient(4, 4));
+  png[33] = 0x49;  // of IDAT's length
+  expectError([&] { decodeImage(png, "chunk.png"); }, ErrorKind::kBadInput, "chunk.png",
+              "it is cut short, or damaged");
+}
+
+TEST(Image, TakesAPictureOfOneColourThatPacksWell) {
+  const Image grey{2048, 1024, std::vector<std::uint8_t>(std::size_t{4} * 2048 * 1024, 128)};
+  EXPECT_EQ(decodeImage(encodePng(grey), "grey.png").rgba, grey.rgba);
+  EXPECT_EQ(decodeImage(encodeJpeg(grey, 1), "grey.jpg").width, 2048);
 }
 
 TEST(Image, NamesAFileThatIsMissing) {
