@@ -16,8 +16,9 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets wri
 constexpr std::size_t kShownLength = 40;                     // of a broken cell, in a message
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kMostMethods = 64;
+constexpr std::size_t kMostColumns = 256;
 
-bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20; }
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 std::vector<std::string_view> cellsOf(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -34,6 +35,7 @@ class FramesTable {
  public:
   FramesTable(std::string_view head, const std::string& file) : file_(file) {
     for (const std::string_view name : cellsOf(head)) columns_.emplace_back(name);
+    if (columns_.size() > kMostColumns) fail(1, "has more columns than there can be");
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       if (std::find(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(c),
                     columns_[c]) != columns_.begin() + static_cast<std::ptrdiff_t>(c)) {

@@ -8,6 +8,7 @@
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/json_depth.h"
 
 namespace enfilade {
 
@@ -31,15 +32,17 @@ std::string textOf(const std::string& file) {
 /// Without what would move a terminal's cursor.
 std::string printable(std::string text) {
   std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
   return text;
 }
 
 /// A summary.json, asked for what it says.
 class SummaryFile {
  public:
-  explicit SummaryFile(const std::string& file) : file_(file) {
-    json_ = Json::parse(textOf(file), nullptr, false);
+  SummaryFile(const std::string& text, const std::string& file) : file_(file) {
+    requireShallowJson(text, file);
+    json_ = Json::parse(text, nullptr, false);
     if (json_.is_discarded()) fail("is not JSON");
     if (!json_.is_object() || !json_.contains("schema")) {
       fail("is no summary of 'enfilade play': it has no schema");
@@ -122,6 +125,9 @@ std::vector<RunFact> factsOf(const SummaryFile& summary) {
   return facts;
 }
 
+std::string summaryFile(const std::string& folder) { return folder + "/summary.json"; }
+std::string framesFile(const std::string& folder) { return folder + "/frames.csv"; }
+
 /// The last part of a path that has one.
 std::string nameOf(const std::string& folder) {
   const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
@@ -156,23 +162,27 @@ std::string RecordedRun::line() const {
                      value("threads"), value("version"));
 }
 
-RecordedRun readReport(const std::string& folder) {
-  if (!std::filesystem::exists(folder)) {
-    throw Error(ErrorKind::kBadInput, folder, "no such file");
-  }
+RecordedRun decodeReport(const std::string& summary_json, const std::string& frames_csv,
+                         const std::string& folder) {
   RecordedRun run;
   run.folder = folder;
   run.name = nameOf(folder);
-  const SummaryFile summary(folder + "/summary.json");
+  const SummaryFile summary(summary_json, summaryFile(folder));
   run.machine = {summary.text("/machine/cpu"), static_cast<int>(summary.count("/machine/cores")),
                  summary.count("/machine/memory_bytes"), summary.text("/machine/system"),
                  summary.text("/machine/gl_renderer")};
   run.tour_sha256 = summary.text("/tour_sha256");
   run.frame_count = summary.count("/frames");
   run.facts = factsOf(summary);
-  const std::string frames = folder + "/frames.csv";
-  run.methods = parseFramesCsv(textOf(frames), frames);
+  run.methods = parseFramesCsv(frames_csv, framesFile(folder));
   return run;
+}
+
+RecordedRun readReport(const std::string& folder) {
+  if (!std::filesystem::exists(folder)) {
+    throw Error(ErrorKind::kBadInput, folder, "no such file");
+  }
+  return decodeReport(textOf(summaryFile(folder)), textOf(framesFile(folder)), folder);
 }
 
 }  // namespace enfilade

@@ -48,6 +48,10 @@ struct RecordedRun {
 /// is missing, a row of another length, something that is no number, a frame that is there twice.
 RecordedRun readReport(const std::string& folder);
 
+/// The same of the texts of the two files in `folder`.
+RecordedRun decodeReport(const std::string& summary_json, const std::string& frames_csv,
+                         const std::string& folder);
+
 /// The methods in the text of a frames.csv; `file` names it in errors.
 std::vector<RecordedMethod> parseFramesCsv(const std::string& text, const std::string& file);
 

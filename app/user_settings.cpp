@@ -117,6 +117,19 @@ std::string viewSettingsFile() {
   return home.empty() ? "" : home + "/.config/enfilade/view.json";
 }
 
+ReadViewSettings decodeViewSettings(std::span<const std::uint8_t> bytes, const std::string& file) {
+  ReadViewSettings read;
+  std::vector<std::string> ignored;
+  const json root = json::parse(bytes.begin(), bytes.end(), nullptr, false);
+  if (!root.is_object()) return defaults(file, "is damaged");
+  visitMembers(read.settings, Reader{root, ignored});
+  if (!ignored.empty()) {
+    read.note = fmt::format("{}: ignored what is no fit value: {}", oneLine(file, 200),
+                            fmt::join(ignored, ", "));
+  }
+  return read;
+}
+
 ReadViewSettings readViewSettings(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -124,21 +137,11 @@ ReadViewSettings readViewSettings(const std::string& file) {
   if (file.empty() || status.type() == fs::file_type::not_found) return {};
   if (!fs::is_regular_file(status)) return defaults(file, "is no file that can be read");
   if (fs::file_size(file, error) > kMostBytes) return defaults(file, "is far too large");
-  ReadViewSettings read;
-  std::vector<std::string> ignored;
   try {
-    const std::vector<std::uint8_t> bytes = readFile(file);
-    const json root = json::parse(bytes.begin(), bytes.end(), nullptr, false);
-    if (!root.is_object()) return defaults(file, "is damaged");
-    visitMembers(read.settings, Reader{root, ignored});
+    return decodeViewSettings(readFile(file), file);
   } catch (const Error& failure) {
     return {{}, failure.what()};
   }
-  if (!ignored.empty()) {
-    read.note = fmt::format("{}: ignored what is no fit value: {}", oneLine(file, 200),
-                            fmt::join(ignored, ", "));
-  }
-  return read;
 }
 
 std::string writeViewSettings(const std::string& file, const ViewSettings& settings) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace enfilade {
@@ -35,6 +37,9 @@ struct ReadViewSettings {
 /// file that is not there or whose name is empty gives them all.  Never throws for what is in a
 /// file.
 ReadViewSettings readViewSettings(const std::string& file);
+
+/// The same of the bytes of `file`.
+ReadViewSettings decodeViewSettings(std::span<const std::uint8_t> bytes, const std::string& file);
 
 /// Writes them by way of a temporary name, with the folders that it takes.  A line that says why it
 /// could not; empty if it could, or if `file` is.

@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "files are little-endi
 
 constexpr char kMagic[8] = {'E', 'N', 'F', 'L', 'D', 'I', '\r', '\n'};
 constexpr int kCompression = 3;
-constexpr std::uint64_t kMostElements = std::uint64_t{1} << 40;  // whose sizes can be added up
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 25;  // some thirty times a wide one's
 constexpr std::uint32_t kLargestWindow = 65536u * kLdiTile;
 
 struct FileHeader {
@@ -155,8 +155,6 @@ void writeLdi(const std::string& file, const Ldi& ldi) {
   writeFileAtomically(file, std::span<const std::uint8_t>(bytes));
 }
 
-Ldi readLdi(const std::string& file) { return decodeLdi(readFile(file), file); }
-
 Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file) {
   const FileHeader header = readHeader(file, bytes);
   if (checksumOf(bytes) != header.checksum) {
@@ -184,6 +182,8 @@ Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file) {
   indexTiles(ldi);
   return ldi;
 }
+
+Ldi readLdi(const std::string& file) { return decodeLdi(readFile(file), file); }
 
 std::size_t ldiBytesOfFile(const std::string& file) {
   const FileHeader header = readHeader(file, readFileStart(file, sizeof(FileHeader)));

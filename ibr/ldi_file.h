@@ -39,4 +39,7 @@ Ldi readLdi(const std::string& file);  ///< likewise
 /// the header says.
 std::size_t ldiBytesOfFile(const std::string& file);
 
+/// The same of the bytes of `file`.
+Ldi decodeLdi(std::span<const std::uint8_t> bytes, const std::string& file);
+
 }  // namespace enfilade

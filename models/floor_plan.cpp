@@ -10,6 +10,7 @@
 #include "models/patterns.h"
 #include "models/shapes.h"
 #include "scene/error.h"
+#include "scene/json_depth.h"
 
 namespace enfilade {
 namespace {
@@ -245,6 +246,7 @@ bool FloorPlan::hasFurniture() const {
 }
 
 FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subject) {
+  requireShallowJson(json_text, subject);
   nlohmann::json document;
   try {
     document = nlohmann::json::parse(json_text);

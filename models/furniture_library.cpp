@@ -64,7 +64,12 @@ void requireSound(const FurnitureEntry& entry, const std::string& file) {
       fail("a size that is not between 0 and 100 m");
     }
   }
-  if (!(std::abs(std::abs(glm::determinant(entry.rotation)) - 1) < 0.1)) {
+  if (!(entry.top <= 100)) fail("a dropOnTopElevation of over 100 m");
+  bool small = true;  // or else a shear
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) small &= std::abs(entry.rotation[column][row]) < 1.1;
+  }
+  if (!small || !(std::abs(std::abs(glm::determinant(entry.rotation)) - 1) < 0.1)) {
     fail("a modelRotation that is no rotation");
   }
 }
@@ -124,11 +129,14 @@ FurnitureLibrary::FurnitureLibrary(const std::string& folder) {
                 "holds no furniture catalogues (.sh3f); Debian's package sweethome3d-furniture "
                 "installs them: apt-get install sweethome3d-furniture");
   }
-  for (const std::string& file : files) addCatalogue(file);
+  for (const std::string& file : files) addCatalogue(std::make_unique<ZipArchive>(file), file);
 }
 
-void FurnitureLibrary::addCatalogue(const std::string& file) {
-  auto archive = std::make_unique<ZipArchive>(file);
+FurnitureLibrary::FurnitureLibrary(std::vector<std::uint8_t> bytes, const std::string& file) {
+  addCatalogue(std::make_unique<ZipArchive>(std::move(bytes), file), file);
+}
+
+void FurnitureLibrary::addCatalogue(std::unique_ptr<ZipArchive> archive, const std::string& file) {
   const auto bytes = archive->read("PluginFurnitureCatalog.properties");
   if (!bytes) throw Error(ErrorKind::kBadInput, file, "is no furniture catalogue");
   const auto properties = readJavaProperties(*bytes);

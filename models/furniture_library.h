@@ -32,6 +32,8 @@ class FurnitureLibrary {
   /// Opens all catalogues in `folder`.  Throws Error: kMachine if there are none, which names the
   /// package; kBadInput for one that is damaged.
   explicit FurnitureLibrary(const std::string& folder = kFurnitureFolder);
+  /// Of one catalogue, the bytes of `file`.  Throws Error (kBadInput) if it is damaged.
+  FurnitureLibrary(std::vector<std::uint8_t> bytes, const std::string& file);
 
   /// By id, in order.
   const std::map<std::string, FurnitureEntry>& entries() const noexcept { return entries_; }
@@ -44,7 +46,7 @@ class FurnitureLibrary {
   Building load(const FurnitureEntry& entry) const;
 
  private:
-  void addCatalogue(const std::string& file);
+  void addCatalogue(std::unique_ptr<ZipArchive> archive, const std::string& file);
 
   std::vector<std::string> files_;
   std::vector<std::unique_ptr<ZipArchive>> catalogues_;

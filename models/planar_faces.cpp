@@ -13,6 +13,8 @@ namespace enfilade {
 namespace {
 
 constexpr double kSnap = 1e-3;  // points nearer than this are one [m]
+// Each is looked for among all others: a storey of more would take long.
+constexpr std::size_t kMostWalls = 512, kMostJunctions = 2048;
 
 [[noreturn]] void fail(const std::string& subject, const std::string& reason) {
   throw Error(ErrorKind::kBadInput, subject, reason);
@@ -24,6 +26,9 @@ class Tracer {
       : walls_(walls), subject_(subject) {}
 
   PlanarFaces run() {
+    if (walls_.size() > kMostWalls)
+      fail(subject_,
+           fmt::format("has {} walls in a storey; {} at most", walls_.size(), kMostWalls));
     for (std::size_t w = 0; w < walls_.size(); ++w) splitWall(w);
     linkHalves();
     traceFaces();
@@ -35,6 +40,8 @@ class Tracer {
     auto& junctions = result_.junctions;
     for (std::size_t i = 0; i < junctions.size(); ++i)
       if (glm::distance(junctions[i], p) < kSnap) return i;
+    if (junctions.size() == kMostJunctions)
+      fail(subject_, fmt::format("its walls meet in over {} places", kMostJunctions));
     junctions.push_back(p);
     return junctions.size() - 1;
   }

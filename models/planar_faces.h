@@ -31,7 +31,7 @@ struct PlanarFaces {
 
 /// Splits the walls at every crossing and junction and traces the faces.  Exactly one face, the
 /// outside, has negative area.  Throws Error (kBadInput): walls that end in the open, lie on one
-/// another, or do not hang together.
+/// another, or do not hang together; over 512 of them, or over 2048 places where they meet.
 PlanarFaces tracePlanarFaces(const std::vector<PlanWall>& walls, const std::string& subject);
 
 }  // namespace enfilade

@@ -9,6 +9,8 @@ namespace enfilade {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;
+/// Deflate makes 1032 bytes at most of one.
+constexpr std::uint64_t kMostPerByte = 1032;
 
 std::string textOf(int code) {
   zip_error_t error;
@@ -26,6 +28,19 @@ ZipArchive::ZipArchive(const std::string& file) : file_(file) {
   if (archive_ == nullptr) throw Error(ErrorKind::kBadInput, file, "is no ZIP: " + textOf(code));
 }
 
+ZipArchive::ZipArchive(std::vector<std::uint8_t> bytes, const std::string& file)
+    : file_(file), bytes_(std::move(bytes)) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* source = zip_source_buffer_create(bytes_.data(), bytes_.size(), 0, &error);
+  archive_ = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+  const std::string reason = archive_ == nullptr ? zip_error_strerror(&error) : "";
+  zip_error_fini(&error);
+  if (archive_ != nullptr) return;
+  zip_source_free(source);
+  throw Error(ErrorKind::kBadInput, file, "is no ZIP: " + reason);
+}
+
 ZipArchive::~ZipArchive() { zip_discard(archive_); }
 
 std::optional<std::vector<std::uint8_t>> ZipArchive::read(const std::string& name) const {
@@ -41,6 +56,11 @@ std::optional<std::vector<std::uint8_t>> ZipArchive::read(const std::string& nam
     fail("cannot be read");
   }
   if (facts.size > kMostBytes) fail("is larger than 256 MiB");
+  if (!(facts.valid & ZIP_STAT_COMP_METHOD) || !(facts.valid & ZIP_STAT_COMP_SIZE) ||
+      (facts.comp_method != ZIP_CM_STORE && facts.comp_method != ZIP_CM_DEFLATE)) {
+    fail("is compressed by another method than deflate");
+  }
+  if (facts.size / kMostPerByte > facts.comp_size) fail("has a size that its bytes cannot hold");
   std::vector<std::uint8_t> bytes(facts.size);
   zip_file_t* stream = zip_fopen_index(archive_, entry, 0);
   if (stream == nullptr) fail("cannot be read");

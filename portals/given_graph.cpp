@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "portals/graph_values.h"
 #include "portals/grid_file.h"
 #include "portals/json_value.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/json_depth.h"
 
 namespace enfilade {
 namespace {
@@ -26,18 +29,25 @@ std::vector<Storey> readStoreys(const JsonValue& value) {
   return storeys;
 }
 
-void readCells(const JsonValue& value, GivenGraph& given) {
+/// Cells by what a portal may call them.
+struct CellsByReference {
+  std::map<CellId, CellId> by_id;
+  std::map<std::string, CellId> by_name;
+};
+
+void readCells(const JsonValue& value, GivenGraph& given, CellsByReference& known) {
   std::vector<Cell>& cells = given.graph.cells;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const JsonValue at = value.at(i);
     const CellId label = at["id"].index(CellGrid::kCutVoxel);
     Cell cell;
     cell.name = at["name"].string();
-    for (std::size_t j = 0; j < i; ++j) {
-      if (given.labels[j] == label) at.fail(fmt::format("has the id of cells[{}], {}", j, label));
-      if (cells[j].name == cell.name) {
-        at.fail(fmt::format("has the name of cells[{}], '{}'", j, cell.name));
-      }
+    const auto number = static_cast<CellId>(i);
+    if (const auto [other, is_new] = known.by_id.try_emplace(label, number); !is_new) {
+      at.fail(fmt::format("has the id of cells[{}], {}", other->second, label));
+    }
+    if (const auto [other, is_new] = known.by_name.try_emplace(cell.name, number); !is_new) {
+      at.fail(fmt::format("has the name of cells[{}], '{}'", other->second, cell.name));
     }
     if (at.has("storey")) {
       cell.storey = static_cast<int>(at["storey"].index(given.graph.storeys.size()));
@@ -56,23 +66,25 @@ void readCells(const JsonValue& value, GivenGraph& given) {
 }
 
 /// A cell by its id in the file or by its name.
-CellId readCellReference(const JsonValue& value, const GivenGraph& given) {
-  const auto& cells = given.graph.cells;
-  const std::string name = value.isString() ? value.string() : std::string();
-  const CellId label = value.isString() ? kNoCell : value.index(CellGrid::kCutVoxel);
-  for (CellId i = 0; i < cells.size(); ++i) {
-    if (value.isString() ? cells[i].name == name : given.labels[i] == label) return i;
+CellId readCellReference(const JsonValue& value, const CellsByReference& known) {
+  if (value.isString()) {
+    const std::string name = value.string();
+    const auto found = known.by_name.find(name);
+    if (found == known.by_name.end()) value.fail("is '" + name + "', the name of no cell");
+    return found->second;
   }
-  value.fail(value.isString() ? "is '" + name + "', the name of no cell"
-                              : fmt::format("is {}, the id of no cell", label));
+  const CellId label = value.index(CellGrid::kCutVoxel);
+  const auto found = known.by_id.find(label);
+  if (found == known.by_id.end()) value.fail(fmt::format("is {}, the id of no cell", label));
+  return found->second;
 }
 
-Portal readGivenPortal(const JsonValue& value, std::size_t number, const GivenGraph& given) {
+Portal readGivenPortal(const JsonValue& value, std::size_t number, const CellsByReference& known) {
   Portal portal;
   portal.polygon = readPolygon(value["polygon"]);
   portal.plane = planeOf(portal.polygon);
-  portal.front = readCellReference(value["front"], given);
-  portal.back = readCellReference(value["back"], given);
+  portal.front = readCellReference(value["front"], known);
+  portal.back = readCellReference(value["back"], known);
   portal.name = value.has("name") ? value["name"].string() : fmt::format("portal-{}", number);
   if (value.has("kind")) portal.kind = readPortalKind(value["kind"]);
   if (value.has("two_way")) portal.two_way = value["two_way"].boolean();
@@ -101,24 +113,31 @@ std::optional<CellGrid> readGridBeside(const std::string& file) {
 
 }  // namespace
 
-GivenGraph readGivenGraph(const std::string& file) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
-  const auto parsed = nlohmann::json::parse(bytes, nullptr, false);
+GivenGraph decodeGivenGraph(std::span<const std::uint8_t> bytes, const std::string& file) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  requireShallowJson(text, file);
+  const auto parsed = nlohmann::json::parse(text, nullptr, false);
   const JsonValue root(parsed, "", file);
   if (parsed.is_discarded()) root.fail("is not JSON");
   GivenGraph given;
   given.graph.storeys = readStoreys(root["storeys"]);
-  readCells(root["cells"], given);
+  CellsByReference known;
+  readCells(root["cells"], given, known);
   const JsonValue portals = root["portals"];
   for (std::size_t i = 0; i < portals.size(); ++i) {
-    given.graph.portals.push_back(readGivenPortal(portals.at(i), i, given));
+    given.graph.portals.push_back(readGivenPortal(portals.at(i), i, known));
   }
   requireSoundPortals(given.graph, file);
   linkCells(given.graph);
   given.doors = parameterOf(root, "doors");
   given.windows = parameterOf(root, "windows");
-  given.grid = readGridBeside(file);
   given.sha256 = sha256Hex(bytes);
+  return given;
+}
+
+GivenGraph readGivenGraph(const std::string& file) {
+  GivenGraph given = decodeGivenGraph(readFile(file), file);
+  given.grid = readGridBeside(file);
   return given;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,5 +30,8 @@ struct GivenGraph {
 /// Throws Error (kBadInput) that names the file and the place: values missing or out of range, two
 /// cells of one id or name, polygons that are no convex planar ones, a damaged cells.grid.
 GivenGraph readGivenGraph(const std::string& file);
+
+/// The same of the bytes of `file`, and without what lies beside it.
+GivenGraph decodeGivenGraph(std::span<const std::uint8_t> bytes, const std::string& file);
 
 }  // namespace enfilade

@@ -84,7 +84,7 @@ House readHouse(const std::string& folder) {
   requireLabelsOfCells(house, grid_file);
 
   const std::string geometry_file = geometryFile(folder);
-  house.building = parseGltf(readHouseFile(house, folder, kGeometry), geometry_file);
+  house.building = decodeGltf(readHouseFile(house, folder, kGeometry), geometry_file);
   if (house.building.objects.size() != house.object_roles.size()) {
     throw Error(ErrorKind::kBadInput, geometry_file,
                 fmt::format("has {} objects, but house.json speaks of {}",

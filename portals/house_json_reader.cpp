@@ -8,10 +8,14 @@
 #include "portals/json_value.h"
 #include "scene/error.h"
 #include "scene/format_version.h"
+#include "scene/json_depth.h"
 
 namespace enfilade {
 
 namespace {
+
+/// Objects times cells that see them, of which a small file could name very many.
+constexpr std::size_t kMostObjectCells = std::size_t{1} << 26;
 
 Leak readLeak(const JsonValue& value) {
   Leak leak{value["room"].string(), value["into"].string(), {}, value["place"].vector()};
@@ -110,9 +114,14 @@ void readObjects(const JsonValue& value, House& house) {
     cell_sets.push_back(readCellSet(sets.at(i), house.graph.cells.size()));
   }
   const JsonValue set_of_object = value["cell_set_of_object"];
+  std::vector<std::uint32_t> set_numbers;
+  std::size_t total = 0;
   for (std::size_t i = 0; i < set_of_object.size(); ++i) {
-    house.object_cells.push_back(cell_sets[set_of_object.at(i).index(cell_sets.size())]);
+    set_numbers.push_back(set_of_object.at(i).index(cell_sets.size()));
+    total += cell_sets[set_numbers.back()].size();
   }
+  if (total > kMostObjectCells) set_of_object.fail("names too many cells for too many objects");
+  for (const std::uint32_t number : set_numbers) house.object_cells.push_back(cell_sets[number]);
   house.object_roles.assign(house.object_cells.size(), ObjectRole::kFixed);
   for (const auto& [role, name] : kListedRoleNames) {
     const JsonValue objects = value["roles"][std::string(name).c_str()];
@@ -140,6 +149,7 @@ bool isUndamaged(const std::string& text) {
 }  // namespace
 
 void decodeHouseJson(const std::string& text, const std::string& file, House& house) {
+  requireShallowJson(text, file);
   const auto parsed = nlohmann::json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
     throw Error(ErrorKind::kBadInput, file, "is not JSON: cut short, or damaged");

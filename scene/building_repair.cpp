@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scene/error.h"
+
 namespace enfilade {
 namespace {
 
@@ -43,7 +45,35 @@ std::vector<std::vector<glm::dvec3>> sumsWhereNeeded(const Building& building) {
   return sums;
 }
 
+bool isWithinReach(const glm::mat4& world_from_object, const Box& box) {
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 corner((i & 1) != 0 ? box.min.x : box.max.x,
+                           (i & 2) != 0 ? box.min.y : box.max.y,
+                           (i & 4) != 0 ? box.min.z : box.max.z);
+    const glm::vec3 p(world_from_object * glm::vec4(corner, 1));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(p[axis]) <= kFarthest)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+void requireWithinReach(const Building& building, const std::string& file) {
+  const auto fail = [&](const Node& node) {
+    throw Error(ErrorKind::kBadInput, file,
+                fmt::format("places node '{}' beyond {} m", oneLine(node.name), kFarthest));
+  };
+  for (const Node& node : building.nodes) {
+    if (!isWithinReach(node.world_from_node, {glm::vec3(-1), glm::vec3(1)})) fail(node);
+  }
+  for (const Object& object : building.objects) {
+    if (!isWithinReach(building.worldFromObject(object), building.meshOf(object).bounds)) {
+      fail(building.nodes[object.node]);
+    }
+  }
+}
 
 glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return directionOf(areaNormal(a, b, c));

@@ -11,12 +11,16 @@
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/gltf_container.h"
+#include "scene/json_depth.h"
 #include "scene/warning_log.h"
 
 namespace enfilade {
 namespace {
 
 using nlohmann::json;
+
+/// Each keeps how all doors of a house stand from then on.
+constexpr std::size_t kMostDoorEvents = 10'000;
 
 [[noreturn]] void fail(const std::string& file, const std::string& reason) {
   throw Error(ErrorKind::kBadInput, file, reason);
@@ -127,6 +131,9 @@ CameraPath readTour(const std::string& file, const json& root) {
   if (root.contains("doors")) {
     const json& doors = root["doors"];
     if (!doors.is_array()) fail(file, "\"doors\" is no list");
+    if (doors.size() > kMostDoorEvents) {
+      fail(file, fmt::format("moves doors {} times; {} at most", doors.size(), kMostDoorEvents));
+    }
     for (std::size_t i = 0; i < doors.size(); ++i) readDoor(file, i, doors[i], path);
   }
   return path;
@@ -138,25 +145,30 @@ Camera cameraAt(const CameraPath& path, std::size_t frame, const Camera& camera)
   return placed;
 }
 
-CameraPath readCameraPath(const std::string& file, double frames_per_second) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
-  if (isGlb(bytes)) return readAnimatedCamera(file, frames_per_second);
+CameraPath decodeCameraPath(std::span<const std::uint8_t> bytes, const std::string& file,
+                            double frames_per_second) {
+  if (isGlb(bytes)) return readAnimatedCamera(bytes, file, frames_per_second);
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) fail(file, "is empty");
   if (text[start] != '{' && text[start] != '[') return readTum(file, text);
 
+  requireShallowJson(text, file);
   const json root = json::parse(text, nullptr, false);
   if (root.is_discarded()) fail(file, "seems to be JSON, but is damaged or cut short");
   if (root.is_object() && root.contains("asset")) {
-    return readAnimatedCamera(file, frames_per_second);
+    return readAnimatedCamera(bytes, file, frames_per_second);
   }
   const json kind = root.is_object() ? root.value("enfilade", json()) : json();
   if (kind == "tour") return readTour(file, root);
   fail(file, kind.is_string() ? fmt::format("is an Enfilade \"{}\", not a tour",
                                             oneLine(kind.get<std::string>(), 40))
                               : "is JSON, but neither a tour nor glTF");
+}
+
+CameraPath readCameraPath(const std::string& file, double frames_per_second) {
+  return decodeCameraPath(readFile(file), file, frames_per_second);
 }
 
 void writeCameraPath(const std::string& file, const CameraPath& path) {

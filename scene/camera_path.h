@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ Camera cameraAt(const CameraPath& path, std::size_t frame, const Camera& camera)
 /// Rotations are normalised.  Throws Error (kBadInput) that says what the file seems to be, or
 /// which frame or line is wrong.
 CameraPath readCameraPath(const std::string& file, double frames_per_second = 30.0);
+
+/// The same of the bytes of `file`.
+CameraPath decodeCameraPath(std::span<const std::uint8_t> bytes, const std::string& file,
+                            double frames_per_second = 30.0);
 
 /// Writes our JSON, by way of a temporary name: reading it gives the same path.  Throws Error
 /// (kMachine).

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,7 +13,8 @@ namespace enfilade {
 /// One reader a format of camera path; `file` is for errors.  All throw Error (kBadInput).
 CameraPath readTour(const std::string& file, const nlohmann::json& root);
 CameraPath readTum(const std::string& file, std::string_view text);
-CameraPath readAnimatedCamera(const std::string& file, double frames_per_second);
+CameraPath readAnimatedCamera(std::span<const std::uint8_t> bytes, const std::string& file,
+                              double frames_per_second);
 
 /// Appends a pose: checks that its numbers are finite, its rotation is one and its time is not
 /// before the last, and normalises the rotation.  `place` names it in errors: "frame 7".

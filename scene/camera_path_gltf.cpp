@@ -15,8 +15,10 @@
 namespace enfilade {
 namespace {
 
-/// Nine hours at 30 frames a second; more than that is a damaged file.
+/// Nine hours at 30 frames a second of a camera on its own; more than that is a damaged file.
 constexpr double kMaxFrames = 1'000'000;
+/// Frames times the nodes that the camera hangs from.
+constexpr double kMaxTransforms = 4 * kMaxFrames;
 
 struct AnimatedCamera {
   const tinygltf::Camera* camera = nullptr;
@@ -61,10 +63,11 @@ Pose poseOf(const glm::dmat4& world_from_camera) {
 
 }  // namespace
 
-CameraPath readAnimatedCamera(const std::string& file, double frames_per_second) {
+CameraPath readAnimatedCamera(std::span<const std::uint8_t> bytes, const std::string& file,
+                              double frames_per_second) {
   assert(frames_per_second > 0.0);
   WarningLog ignored;
-  const GltfModel gltf = loadGltfModel(file, ignored);
+  const GltfModel gltf = loadGltfModel(bytes, file, ignored);
   const GltfAnimation animation(gltf);
   const AnimatedCamera camera = findCamera(gltf, animation);
 
@@ -81,7 +84,8 @@ CameraPath readAnimatedCamera(const std::string& file, double frames_per_second)
   // A hair more, so that rounding, of keys in 32 bits too, does not cost the last frame.
   const double hair = 1e-3 + frames_per_second * std::abs(end) * 1e-7;
   const double last_frame = std::floor((end - begin) * frames_per_second + hair);
-  if (last_frame >= kMaxFrames) {
+  const auto depth = static_cast<double>(camera.chain.size());
+  if (last_frame >= kMaxFrames || last_frame * depth >= kMaxTransforms) {
     gltf.fail(fmt::format("has an animation of {:.0f} s, too long to sample", end - begin));
   }
   for (int i = 0; i <= static_cast<int>(last_frame); ++i) {

@@ -10,14 +10,12 @@
 
 #include "scene/error.h"
 #include "scene/file_format.h"
+#include "scene/json_depth.h"
 
 namespace enfilade {
 namespace {
 
 using nlohmann::json;
-
-/// tinygltf walks `extras` and `extensions` recursively.
-constexpr int kMaxDepth = 100;
 
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinChunk = 0x004e4942;
@@ -83,26 +81,8 @@ std::string_view splitGlb(const std::string& file, std::span<const std::uint8_t>
   return asText(json_chunk);
 }
 
-void checkDepth(const std::string& file, std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kMaxDepth) fail(file, fmt::format("nests its JSON deeper than {}", kMaxDepth));
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-}
-
 json parseJson(const std::string& file, std::string_view text) {
-  checkDepth(file, text);
+  requireShallowJson(text, file);
   try {
     return json::parse(text);
   } catch (const json::exception& e) {

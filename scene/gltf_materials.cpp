@@ -104,14 +104,27 @@ class ImageTable {
       return kNone;
     }
     image.mime_type = imageMimeType(image.encoded);
+    countPixels(image.image);
     building_.images.push_back(std::move(image));
     return static_cast<std::uint32_t>(building_.images.size() - 1);
+  }
+
+  /// Many images may be named of one part of the file.
+  void countPixels(const Image& image) {
+    constexpr std::size_t kAlways = std::size_t{1} << 26;
+    constexpr std::size_t kEachByte = 512;
+    pixels_ += image.rgba.size() / 4;
+    if (pixels_ > kAlways && (pixels_ - kAlways) / kEachByte > gltf_.byteCount()) {
+      gltf_.fail(
+          fmt::format("has pictures of {} pixels, far more than its bytes can hold", pixels_));
+    }
   }
 
   const GltfModel& gltf_;
   Building& building_;
   WarningLog& warnings_;
   std::map<int, std::uint32_t> indices_;
+  std::size_t pixels_ = 0;
 };
 
 std::string quoted(const tinygltf::Material& material) {

@@ -188,6 +188,7 @@ std::vector<std::uint32_t> MeshReader::readTriangles(const MeshKey& key, std::si
       }
     }
   } else {
+    gltf_.countElements(vertex_count);
     corners.resize(vertex_count);
     std::iota(corners.begin(), corners.end(), 0u);
   }

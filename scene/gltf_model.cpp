@@ -1,12 +1,12 @@
 #include "scene/gltf_model.h"
 
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
-#include "scene/file_io.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_resources.h"
 
@@ -81,16 +81,31 @@ std::shared_ptr<tinygltf::Model> parseByTinyGltf(const std::string& file, const 
 
 }  // namespace
 
+std::size_t GltfModel::byteCount() const {
+  std::size_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : model->buffers) bytes += buffer.data.size();
+  for (const tinygltf::Image& image : model->images) bytes += image.image.size();
+  return bytes;
+}
+
+void GltfModel::countElements(std::size_t count) const {
+  constexpr std::size_t kAlways = std::size_t{1} << 22;
+  constexpr std::size_t kEachByte = 16;
+  const std::size_t bytes = byteCount();
+  const std::size_t most = kAlways + kEachByte * bytes;
+  if (count > most || elements_ > most - count) {
+    fail(fmt::format("names over {} vertices and corners, far more than its {} bytes hold", most,
+                     bytes));
+  }
+  elements_ += count;
+}
+
 void GltfModel::fail(const std::string& reason) const {
   throw Error(ErrorKind::kBadInput, file, reason);
 }
 
-GltfModel loadGltfModel(const std::string& file, WarningLog& warnings) {
-  return parseGltfModel(readFile(file), file, warnings);
-}
-
-GltfModel parseGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
-                         WarningLog& warnings) {
+GltfModel loadGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
+                        WarningLog& warnings) {
   std::span<const std::uint8_t> bin;
   json root = parseGltfContainer(file, bytes, bin, warnings);
   GltfResources resources(file, bin, root, warnings);

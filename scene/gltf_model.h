@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,15 +25,24 @@ struct GltfModel {
   const tinygltf::Model& operator*() const { return *model; }
   const tinygltf::Model* operator->() const { return model.get(); }
   [[noreturn]] void fail(const std::string& reason) const;  ///< throws Error (kBadInput)
+
+  /// Of all buffers, and of all images that are files of their own.
+  std::size_t byteCount() const;
+
+  /// Takes note that so many elements are read.  A file may name the same ones, or ones that are
+  /// all zero, again and again: throws Error (kBadInput) for far more than its buffers' size is
+  /// reason for.
+  void countElements(std::size_t count) const;
+
+ private:
+  mutable std::size_t elements_ = 0;
 };
 
-/// Reads a .glb or .gltf with all its buffers; tinygltf::Image::image holds the encoded file of
-/// each image that has one.  Nothing that stands in the JSON as an index has been checked, but for
-/// what parseGltfContainer and GltfResources say.  Throws Error (kBadInput).
-GltfModel loadGltfModel(const std::string& file, WarningLog& warnings);
-
-/// The same of a file's bytes; files that it names are sought beside `file`.
-GltfModel parseGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
-                         WarningLog& warnings);
+/// Reads the bytes of a .glb or .gltf, and all its buffers, which `file` may lie beside;
+/// tinygltf::Image::image holds the encoded file of each image that has one.  Nothing that stands
+/// in the JSON as an index has been checked, but for what parseGltfContainer and GltfResources say.
+/// Throws Error (kBadInput).
+GltfModel loadGltfModel(std::span<const std::uint8_t> bytes, const std::string& file,
+                        WarningLog& warnings);
 
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #include "scene/gltf_reader.h"
 
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <cmath>
@@ -18,6 +19,9 @@ namespace enfilade {
 namespace {
 
 using nlohmann::json;
+
+/// Nodes times primitives: nothing else in the file bounds their number.
+constexpr std::size_t kMostObjects = std::size_t{1} << 22;
 
 /// All nodes, and an object for every primitive of each.
 void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
@@ -41,9 +45,11 @@ void readNodes(const GltfModel& gltf, MeshReader& meshes, Building& building,
     if (source.mesh < 0) continue;
     if (source.skin >= 0) warnings.add("skin ignored", "node '" + oneLine(source.name) + "'");
     const auto index = static_cast<std::uint32_t>(building.nodes.size() - 1);
-    for (const std::uint32_t mesh : meshes.meshesOf(source.mesh)) {
-      building.objects.push_back({index, mesh});
+    const std::vector<std::uint32_t>& own_meshes = meshes.meshesOf(source.mesh);
+    if (own_meshes.size() > kMostObjects - building.objects.size()) {
+      gltf.fail(fmt::format("holds over {} objects", kMostObjects));
     }
+    for (const std::uint32_t mesh : own_meshes) building.objects.push_back({index, mesh});
   }
   readLights(gltf, gltf_nodes, building, warnings);
 }
@@ -89,14 +95,10 @@ void fillMissingTexcoords(Building& building, WarningLog& warnings) {
 
 }  // namespace
 
-Building readGltf(const std::string& file, Warnings* warnings) {
-  return parseGltf(readFile(file), file, warnings);
-}
-
-Building parseGltf(std::span<const std::uint8_t> bytes, const std::string& file,
-                   Warnings* warnings) {
+Building decodeGltf(std::span<const std::uint8_t> bytes, const std::string& file,
+                    Warnings* warnings) {
   WarningLog log;
-  const GltfModel gltf = parseGltfModel(bytes, file, log);
+  const GltfModel gltf = loadGltfModel(bytes, file, log);
   Building building;
   building.copyright = gltf->asset.copyright;
   const std::vector<TextureMapping> mappings = readMaterials(gltf, building, log);
@@ -104,12 +106,17 @@ Building parseGltf(std::span<const std::uint8_t> bytes, const std::string& file,
   readNodes(gltf, meshes, building, log);
   if (building.objects.empty()) gltf.fail("holds no triangles");
   readOwnExtras(gltf, building, log);
+  requireWithinReach(building, file);
   dropUnusedVertexArrays(building);
   mendPositions(building);
   fillMissingTexcoords(building, log);
   mendNormals(building, log);
   if (warnings != nullptr) *warnings = log.lines();
   return building;
+}
+
+Building readGltf(const std::string& file, Warnings* warnings) {
+  return decodeGltf(readFile(file), file, warnings);
 }
 
 }  // namespace enfilade

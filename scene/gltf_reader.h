@@ -29,8 +29,9 @@ using Warnings = std::vector<std::string>;
 /// required extension that we lack, indices out of range, nodes below themselves, no triangles.
 Building readGltf(const std::string& file, Warnings* warnings = nullptr);
 
-/// The same of a file's bytes; files that it names are sought beside `file`.
-Building parseGltf(std::span<const std::uint8_t> bytes, const std::string& file,
-                   Warnings* warnings = nullptr);
+/// The same of the bytes of `file`, which need not be there: what they name is looked for beside
+/// it.
+Building decodeGltf(std::span<const std::uint8_t> bytes, const std::string& file,
+                    Warnings* warnings = nullptr);
 
 }  // namespace enfilade

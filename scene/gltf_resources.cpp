@@ -16,6 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+/// Of files beside the model: what may be read in any case, and how often each of them on average.
+constexpr std::uint64_t kAlways = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMostCopies = 16;
+
 [[noreturn]] void fail(const std::string& file, const std::string& reason) {
   throw Error(ErrorKind::kBadInput, file, reason);
 }
@@ -87,9 +91,23 @@ const std::span<const std::uint8_t>* GltfResources::find(const std::string& key)
 }
 
 std::span<const std::uint8_t> GltfResources::load(const std::string& uri) {
-  owned_.push_back(isDataUri(uri) ? decodeDataUri(model_file_, uri)
-                                  : readFile(insideFolder(model_file_, uri).string()));
-  return owned_.back();
+  if (isDataUri(uri)) {
+    owned_.push_back(decodeDataUri(model_file_, uri));
+    return owned_.back();
+  }
+  const std::string file = insideFolder(model_file_, uri).string();
+  if (!by_file_.contains(file)) {
+    owned_.push_back(readFile(file));
+    by_file_[file] = owned_.back();
+    owned_bytes_ += owned_.back().size();
+  }
+  // tinygltf makes a copy for each name.
+  named_bytes_ += by_file_[file].size();
+  if (named_bytes_ > kAlways && named_bytes_ / kMostCopies > owned_bytes_) {
+    fail(model_file_,
+         "names the same files again and again, " + std::to_string(named_bytes_) + " bytes in all");
+  }
+  return by_file_[file];
 }
 
 void GltfResources::takeBuffers(std::span<const std::uint8_t> bin, json& root) {

@@ -18,7 +18,8 @@ class GltfResources {
  public:
   /// Finds all that `root` names, and replaces every URI in it by a key for find().  `bin` must
   /// outlive this.  An image that is missing is a warning.  Throws Error (kBadInput): a buffer is
-  /// missing or too short, a file lies outside the model's folder.
+  /// missing or too short, a file lies outside the model's folder, files are named so often that
+  /// they are many times their size.
   GltfResources(const std::string& model_file, std::span<const std::uint8_t> bin,
                 nlohmann::json& root, WarningLog& warnings);
 
@@ -32,6 +33,8 @@ class GltfResources {
 
   std::string model_file_;
   std::deque<std::vector<std::uint8_t>> owned_;
+  std::map<std::string, std::span<const std::uint8_t>> by_file_;  ///< each read once
+  std::uint64_t owned_bytes_ = 0, named_bytes_ = 0;
   std::map<std::string, std::span<const std::uint8_t>> by_key_;
 };
 

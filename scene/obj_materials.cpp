@@ -6,6 +6,7 @@
 #include <map>
 
 #include "scene/error.h"
+#include "scene/file_io.h"
 
 namespace enfilade {
 namespace {
@@ -31,6 +32,9 @@ class Pictures {
       warnings_.add("picture left out, it is not there", "\"" + oneLine(name) + "\"");
       return kNone;
     }
+    // The same file may have many names.
+    const auto [same, is_new] = by_content_.try_emplace(sha256Hex(*bytes), kNone);
+    if (!is_new) return same->second;
     TextureImage picture;
     picture.name = name;
     try {
@@ -42,13 +46,14 @@ class Pictures {
     picture.mime_type = imageMimeType(*bytes);
     picture.encoded = std::move(*bytes);
     building_.images.push_back(std::move(picture));
-    return static_cast<std::uint32_t>(building_.images.size() - 1);
+    same->second = static_cast<std::uint32_t>(building_.images.size() - 1);
+    return same->second;
   }
 
   const ObjResources& resources_;
   Building& building_;
   WarningLog& warnings_;
-  std::map<std::string, std::uint32_t> known_;
+  std::map<std::string, std::uint32_t> known_, by_content_;
 };
 
 Material materialOf(const tinyobj::material_t& source, Pictures& pictures) {

@@ -198,7 +198,8 @@ class ShapeReader {
         return;
       }
       const glm::vec3 p = vectorAt(a.vertices, corner.vertex_index);
-      if (!std::isfinite(p.x + p.y + p.z)) {
+      if (!(std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest &&
+            std::abs(p.z) <= kFarthest)) {
         warnings_.add("faces with a corner that is not a finite number, left out", quotedName());
         return;
       }

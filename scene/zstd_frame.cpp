@@ -9,6 +9,8 @@ namespace {
 
 // Zstandard's blocks hold 128 KiB at most, and take 4 bytes at least.
 constexpr std::uint64_t kMostPerByte = 32768;
+// So that a small file cannot ask for all memory.
+constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20;
 
 }  // namespace
 
@@ -27,6 +29,7 @@ std::vector<std::uint8_t> decompressFrame(std::span<const std::uint8_t> frame, s
     if (!holds) throw Error(ErrorKind::kBadInput, file, otherwise);
   };
   require(size / kMostPerByte <= frame.size(), "has sizes that its bytes cannot hold");
+  require(size <= kMostBytes, "has a payload of over 512 MiB");
   require(ZSTD_getFrameContentSize(frame.data(), frame.size()) == size,
           "has a payload of another size than its header says");
   std::vector<std::uint8_t> payload(size);

@@ -26,6 +26,22 @@ std::string complaintOf(const std::string& csv) {
   return "";
 }
 
+TEST(ReportReader, RefusesASummaryThatNestsWithoutEnd) {
+  const std::string summary =
+      "{\"schema\": " + std::string(60'000, '[') + std::string(60'000, ']') + "}";
+  try {
+    decodeReport(summary, "method,frame,frametime_ms\nldi,0,1\n", "run");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "run/summary.json: nests its JSON deeper than 100");
+  }
+}
+
+TEST(FramesCsvReader, RefusesAHeadOfColumnsWithoutEnd) {
+  EXPECT_EQ(complaintOf(std::string(1 << 20, ',')),
+            "frames.csv: line 1: has more columns than there can be");
+}
+
 TEST(FramesCsvReader, ReadsBackWhatTheReportWrote) {
   Report report;
   report.methods = {Method::kGeometry, Method::kLdi};
@@ -75,6 +91,7 @@ TEST(FramesCsvReader, NamesTheLineOfABrokenRow) {
   expect("ldi,0,1.5,10", "frame 0 of ldi stands after frame 0");
   expect(",1,1.5,10", "names no method");
   expect("l\x1b[2Jdi,1,1.5,10", "has no method's name in its first cell");
+  expect("ld\x7f,1,1.5,10", "has no method's name in its first cell");
   expect(std::string(5000, 'm') + ",1,1.5,10", "has no method's name in its first cell");
   expect("ldi,1," + std::string(5000, 'x') + ",10",
          "'" + std::string(40, 'x') + "' in frametime_ms is no number");

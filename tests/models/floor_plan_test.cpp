@@ -1,6 +1,7 @@
 // Plans that are wrong, by what is wrong with them, and a small one that is right.
 #include "models/floor_plan.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -185,6 +186,20 @@ TEST(PlanLayout, RejectsAWallOnAnother) {
   expectComplaint(with("{\"from\": [4, 0], \"to\": [4, 4]}",
                        "{\"from\": [4, 0], \"to\": [4, 4]}, {\"from\": [1, 0], \"to\": [3, 0]}"),
                   "lie on one another");
+}
+
+TEST(PlanLayout, RejectsMoreWallsAndCrossingsThanCouldBeLaidOut) {
+  const auto crossing = [](int each) {
+    std::string walls;
+    for (int i = 0; i < each; ++i) {
+      walls += fmt::format(R"({{"from": [{0}, -1], "to": [{0}, 999]}},)"
+                           R"({{"from": [-1, {0}], "to": [999, {0}]}},)",
+                           i);
+    }
+    return with("\"walls\": [", "\"walls\": [" + walls);
+  };
+  expectComplaint(crossing(50), "its walls meet in over 2048 places");
+  expectComplaint(crossing(300), "walls in a storey; 512 at most");
 }
 
 TEST(PlanLayout, RejectsTwoRoomsInOneArea) {

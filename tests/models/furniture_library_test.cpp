@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include <zip.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -122,6 +123,65 @@ TEST_F(Furniture, WhatIsWrongIsSaid) {
   write({{"PluginFurnitureCatalog.properties", catalogue("modelRotation#1=0 0 0 0 1 0 0 0 1\n")},
          {"a/chair.obj", box()}});
   EXPECT_NE(complaint().find("that is no rotation"), std::string::npos) << complaint();
+}
+
+TEST_F(Furniture, ThatIsShearedOrAsHighAsTheMoonIsRefused) {
+  write(
+      {{"PluginFurnitureCatalog.properties", catalogue("modelRotation#1=1 1e300 0 0 1 0 0 0 1\n")},
+       {"a/chair.obj", box()}});
+  EXPECT_NE(complaint().find("that is no rotation"), std::string::npos) << complaint();
+  write({{"PluginFurnitureCatalog.properties", catalogue("dropOnTopElevation#1=1e300\n")},
+         {"a/chair.obj", box()}});
+  EXPECT_NE(complaint().find("dropOnTopElevation of over 100 m"), std::string::npos) << complaint();
+}
+
+TEST_F(Furniture, ReadsNothingOutsideItsCatalogueAndWritesNothing) {
+  const fs::path outside = folder_ / "outside.mtl";
+  std::ofstream(outside) << "newmtl oak\nKd 1 0 0\n";
+  for (const std::string& name : {outside.string(), std::string("../../outside.mtl")}) {
+    const std::string model = "mtllib " + name + box().substr(box().find('\n'));
+    write({{"PluginFurnitureCatalog.properties", catalogue()},
+           {"a/chair.obj", model},
+           {"../climbed.txt", "x"},
+           {"/climbed.txt", "x"}});
+    const FurnitureLibrary library(folder_.string());
+    const Building chair = library.load(*library.find("Test#chair"));
+    EXPECT_EQ(chair.materialOf(chair.objects[0]).name, "none") << name;
+  }
+  EXPECT_FALSE(fs::exists(folder_.parent_path() / "climbed.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "climbed.txt"));
+}
+
+TEST_F(Furniture, ThatClimbsOutOfItsCatalogueIsNotThere) {
+  std::ofstream(folder_ / "chair.obj") << box();
+  for (const char* model : {"model#1=../../chair.obj\n", "model#1=/../chair.obj\n"}) {
+    write({{"PluginFurnitureCatalog.properties", catalogue(model)}});
+    EXPECT_NE(complaint().find("chair.obj: is not there"), std::string::npos) << complaint();
+  }
+}
+
+TEST_F(Furniture, ThatUnpacksToAGigabyteIsRefused) {
+  write({{"PluginFurnitureCatalog.properties", catalogue()}, {"a/chair.obj", box()}});
+  std::ifstream stream(folder_ / "test.sh3f", std::ios::binary);
+  const std::string zip{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t directory = zip.find("PK\x01\x02");
+  const auto complaintWith = [&](std::uint32_t size, std::uint16_t method) {
+    std::string changed = zip;
+    std::memcpy(changed.data() + directory + 24, &size, sizeof(size));  // unpacked
+    std::memcpy(changed.data() + directory + 10, &method, sizeof(method));
+    try {
+      const FurnitureLibrary library({changed.begin(), changed.end()}, "bomb.sh3f");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaintWith(0x40000000, ZIP_CM_DEFLATE).find("larger than 256 MiB"),
+            std::string::npos);
+  EXPECT_NE(complaintWith(0x0f000000, ZIP_CM_DEFLATE).find("a size that its bytes cannot hold"),
+            std::string::npos);
+  EXPECT_NE(complaintWith(1000, ZIP_CM_BZIP2).find("by another method than deflate"),
+            std::string::npos);
 }
 
 /// A room of 4 x 3 m with two chairs, the second half as high and with a jar on it.

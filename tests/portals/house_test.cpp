@@ -160,10 +160,10 @@ TEST(HouseFile, RejectsWhatIsNoHouse) {
   writeFileAtomically(temporary / "empty/house.json", std::string("[1, 2"));
   EXPECT_SAYS(complaint(temporary / "empty"), "not JSON");
   writeFileAtomically(temporary / "empty/house.json", std::string(1000000, '['));
-  EXPECT_SAYS(complaint(temporary / "empty"), "not JSON");
+  EXPECT_SAYS(complaint(temporary / "empty"), "nests its JSON deeper than 100");
   writeFileAtomically(temporary / "empty/house.json",
                       std::string(300000, '[') + std::string(300000, ']'));
-  EXPECT_SAYS(complaint(temporary / "empty"), "not describe a house");
+  EXPECT_SAYS(complaint(temporary / "empty"), "nests its JSON deeper than 100");
 }
 
 TEST(HouseFile, RejectsAnotherFormatVersionAndSaysWhatToDo) {
@@ -280,6 +280,31 @@ TEST(HouseFile, RejectsValuesOutOfRangeAndNamesThem) {
   EXPECT_SAYS(complaintOnEdit("\"eye_height\": 1.55", "\"eye_height\": 0"), "eye_height");
   EXPECT_SAYS(complaintOnEdit("\"eye_height\"", "\"eye_hight\""), "eye_height is missing");
   EXPECT_SAYS(complaintOnEdit("\"active\": true", "\"active\": 1"), "portals[0].active");
+}
+
+TEST(HouseFile, RejectsMoreCellsOfObjectsThanMemoryHolds) {
+  std::string objects = "[0";
+  for (int i = 1; i < 40'000; ++i) objects += ",0";
+  std::string cell_set = "[0";
+  for (int i = 1; i < 2000; ++i) cell_set += "," + std::to_string(i);
+  std::string more_cells;
+  for (int i = 3; i < 2000; ++i) {
+    more_cells += R"({"name": "c", "storey": 0, "bounds": null, "volume": 0, "floor_area": 0},)";
+  }
+  std::string text = encodeHouseJson(smallHouse(), {});
+  replaceText(text, "\"cells\": [", "\"cells\": [" + more_cells);
+  replaceText(text, "\"cell_sets\": [[1, 2]", "\"cell_sets\": [" + cell_set + "]");
+  replaceText(text, "\"cell_set_of_object\": [0, 1, 0]",
+              "\"cell_set_of_object\": " + objects + "]");
+  mendChecksum(text);
+  House house;
+  try {
+    decodeHouseJson(text, "house.json", house);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_SAYS(std::string(error.what()),
+                "cell_set_of_object names too many cells for too many objects");
+  }
 }
 
 TEST(HouseFile, RejectsVoxelsOfACellThatThereIsNot) {

@@ -181,6 +181,13 @@ TEST_F(AnimatedCamera, RejectsAnAnimationThatIsTooLongToSample) {
   expectBad("too long to sample");
 }
 
+TEST_F(AnimatedCamera, RejectsAnAnimationOfMoreNodesThanCanBeSampledForSoLong) {
+  for (int node = 2; node < 6; ++node)
+    builder_.add("nodes", {{"children", {node - 2 == 0 ? 0 : node - 1}}});
+  animate(1, "translation", {0, 3e4f}, {0, 0, 0, 2, 0, 0}, "LINEAR");
+  expectBad("too long to sample");
+}
+
 TEST_F(AnimatedCamera, RejectsASamplerThatIsNotThere) {
   animate(1, "translation", {0, 1}, {0, 0, 0, 2, 0, 0}, "LINEAR");
   builder_.root["animations"][0]["channels"][0]["sampler"] = 3;

@@ -159,6 +159,17 @@ TEST_F(CameraPaths, NameTheFrameThatIsWrong) {
             "frame 1 is earlier than the one before it");
 }
 
+TEST_F(CameraPaths, RejectDoorsThatMoveWithoutEnd) {
+  std::string doors;
+  for (int i = 0; i < 10'001; ++i) {
+    doors += std::string(i > 0 ? "," : "") + R"({"t": 0, "portal": "1", "open": true})";
+  }
+  expectBad(R"({"enfilade": "tour", "version": 1, "frames": [{"t": 1, "p": [0, 0, 0],
+                "q": [0, 0, 0, 1]}], "doors": [)" +
+                doors + "]}",
+            "moves doors 10001 times; 10000 at most");
+}
+
 TEST_F(CameraPaths, RejectAFieldOfViewThatCannotBe) {
   for (const char* fov : {"0", "180", "-5", "\"wide\""}) {
     expectBad(std::string(R"({"enfilade": "tour", "version": 1, "vertical_fov_degrees": )") + fov +

@@ -123,6 +123,13 @@ TEST_F(GltfFiles, AreNotFetchedFromTheNet) {
   expectBad("is an address");
 }
 
+TEST_F(GltfFiles, MayNotBeNamedWithoutEnd) {
+  folder_.file("models/big.bin", std::string(std::size_t{8} << 20, '\0'));
+  builder_.root["buffers"] =
+      std::vector<Json>(20, Json{{"uri", "big.bin"}, {"byteLength", builder_.bin.size()}});
+  expectBad("names the same files again and again");
+}
+
 TEST_F(GltfFiles, NameABufferThatIsMissingOrTooShort) {
   bufferFrom("none.bin");
   const std::string file = gltf();

@@ -139,7 +139,41 @@ TEST_F(MalformedGltf, AccessorsOfTheWrongKind) {
   expectBad("there is no buffer view 77");
   accessor(0).erase("bufferView");
   accessor(0)["count"] = 1'000'000'000'000;
-  expectBad("elements and no data");
+  expectBad("names over");
+}
+
+TEST_F(MalformedGltf, TheSameDataNamedAgainAndAgain) {
+  triangle();
+  accessor(0).erase("bufferView");
+  accessor(0)["count"] = 1 << 20;
+  accessor(1).erase("bufferView");
+  accessor(1)["count"] = 1 << 20;
+  for (int uv = 0; uv < 3; ++uv) {  // each of them is another mesh of the same million vertices
+    builder_.add("materials", {{"name", std::to_string(uv)}});
+    builder_.root["meshes"][0]["primitives"][uv] = {
+        {"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", uv}}}, {"material", uv}};
+  }
+  expectBad("vertices and corners, far more than its 72 bytes hold");
+}
+
+TEST_F(MalformedGltf, ObjectsBeyondNumber) {
+  triangle();
+  const Json primitive = builder_.root["meshes"][0]["primitives"][0];
+  builder_.root["meshes"][0]["primitives"] = std::vector<Json>(2100, primitive);
+  builder_.root["nodes"] = std::vector<Json>(2100, Json{{"mesh", 0}});
+  expectBad("holds over 4194304 objects");
+}
+
+TEST_F(MalformedGltf, PlacesBeyondReach) {
+  triangle();
+  for (const double far : {1e13, 1e300}) {
+    builder_.root["nodes"][0]["translation"] = {0, far, 0};
+    builder_.root["nodes"][0]["name"] = "moon";
+    expectBad("places node 'moon' beyond");
+  }
+  builder_.root["nodes"][0].erase("translation");
+  builder_.root["nodes"][0]["scale"] = {1e30, 1, 1};
+  expectBad("places node 'moon' beyond");
 }
 
 TEST_F(MalformedGltf, AttributesThatDoNotMatch) {

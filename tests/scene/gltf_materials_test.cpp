@@ -55,6 +55,18 @@ class GltfMaterials : public testing::Test {
   int uv1_ = 0;
 };
 
+TEST_F(GltfMaterials, WithPicturesOfGigabytesInOnePartOfTheFileAreRefused) {
+  const std::vector<std::uint8_t> grey(std::size_t{4} * 2048 * 2048, 128);
+  const int view = builder_.view(encodePng({2048, 2048, grey}));
+  for (int i = 0; i < 60; ++i) {
+    const int image = builder_.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    place(textured(builder_.add("textures", {{"source", image}})));
+  }
+  const std::string file = folder_.file("model.glb", builder_.glb());
+  expectError([&] { readGltf(file); }, ErrorKind::kBadInput, file,
+              "pixels, far more than its bytes can hold");
+}
+
 TEST_F(GltfMaterials, HaveTheirFactorsModesAndSides) {
   place({{"name", "glass"},
          {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 0.75, 0.125}}}},

@@ -73,6 +73,14 @@ TEST_F(ObjReader, PicturesStandUpright) {
   EXPECT_EQ(b.vertex_arrays[0].texcoords[0], glm::vec2(0, 1)) << "row 0 is on top here";
 }
 
+TEST_F(ObjReader, ReadsAPictureOfManyNamesOnce) {
+  folder_.file("a.png", encodePng({1, 1, {1, 2, 3, 255}}));
+  folder_.file("m.mtl", "newmtl one\nmap_Kd a.png\nnewmtl two\nmap_Kd ./a.png\n");
+  const Building b = read("mtllib m.mtl\n" + kQuad + "usemtl one\nf 1 2 3\nusemtl two\nf 1 2 4\n");
+  ASSERT_EQ(b.images.size(), 1u);
+  for (const Object& object : b.objects) EXPECT_EQ(b.materialOf(object).image, 0u);
+}
+
 TEST_F(ObjReader, LeavesOutWhatIsNotThereAndSaysSo) {
   folder_.file("m.mtl", "newmtl art\nmap_Kd gone.png\n");
   const Building b =
@@ -97,6 +105,23 @@ TEST_F(ObjReader, ReadsNothingOutsideItsFolderButLooksBesideItself) {
   EXPECT_EQ(b.materialOf(b.objects[1]).name, "none");
   EXPECT_TRUE(warns("../m.mtl"));
   EXPECT_TRUE(warns("secret.png"));
+}
+
+TEST_F(ObjReader, FollowsNoLinkOutOfItsFolder) {
+  folder_.file("m.mtl", "newmtl outside\nKd 1 0 0\n");
+  folder_.file("secret.png", encodePng({1, 1, {1, 2, 3, 255}}));
+  folder_.file("in/own.mtl", "newmtl own\nmap_Kd link.png\nnewmtl up\nmap_Kd up/secret.png\n");
+  std::filesystem::create_symlink("../m.mtl", folder_ / "in/link.mtl");
+  std::filesystem::create_symlink("../secret.png", folder_ / "in/link.png");
+  std::filesystem::create_directory_symlink("..", folder_ / "in/up");
+  const Building b = read("mtllib link.mtl\nmtllib up/m.mtl\nmtllib own.mtl\n" + kQuad +
+                              "usemtl outside\nf 1 2 3\nusemtl own\nf 1 2 3\n",
+                          "in/a.obj");
+  EXPECT_TRUE(b.images.empty());
+  EXPECT_EQ(b.materialOf(b.objects[0]).name, "own");
+  EXPECT_EQ(b.materialOf(b.objects[1]).name, "none");
+  EXPECT_TRUE(warns("link.mtl"));
+  EXPECT_TRUE(warns("link.png"));
 }
 
 TEST_F(ObjReader, FindsLibrariesWithBlanksWithBackslashesAndSeveralInALine) {
@@ -152,7 +177,8 @@ TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
 }
 
 TEST_F(ObjReader, PassesOverCornersThatAreNoNumbers) {
-  const Building b = read("v 1e999 0 0\nv 1 -1e999 1\n" + kQuad + "f 1 2 3\nf 3 4 5\n");
+  const Building b =
+      read("v 1e999 0 0\nv 1 -1e999 1\nv 3e38 0 0\n" + kQuad + "f 1 4 5\nf 4 5 6\nf 3 4 5\n");
   EXPECT_EQ(triangleCount(b), 1u);
   const Box box = worldBounds(b);
   EXPECT_TRUE(std::isfinite(box.min.x) && std::isfinite(box.max.x));
