@@ -1,14 +1,17 @@
 # make demo    install the packages and furniture, build, and walk through haunted (or SAMPLE=gallery, brooks)
 # make test    build and run the tests
 # make         build the program: build/release/app/enfilade
+# make fuzz    feed every reader of files broken ones, for SECONDS_EACH=60 seconds a format
 # make figures reproduce the paper's figures: docs/figures.md
 PRESET ?= release
 BUILD := build/$(PRESET)
 ENFILADE := $(BUILD)/app/enfilade
 HOUSES ?= brooks haunted
+SECONDS_EACH ?= 60
+export SECONDS_EACH
 FORMATTED := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
-.PHONY: all setup configure build test demo figures bench format format-check install clean
+.PHONY: all setup configure build test demo figures bench fuzz format format-check install clean
 
 all: build
 
@@ -42,6 +45,11 @@ bench: setup
 	@scripts/setup libbenchmark-dev
 	cmake --preset bench && cmake --build --preset bench
 	@for program in build/bench/tests/bench/*_bench; do echo "== $$program"; $$program; done
+
+fuzz: setup
+	@scripts/setup clang-19 libclang-rt-19-dev
+	cmake --preset asan && cmake --build --preset asan --target fuzzers
+	scripts/fuzz build/asan $(TARGETS)
 
 format:
 	clang-format -i $(FORMATTED)
