@@ -182,7 +182,8 @@ RecordedRun readReport(const std::string& folder) {
   if (!std::filesystem::exists(folder)) {
     throw Error(ErrorKind::kBadInput, folder, "no such file");
   }
-  return decodeReport(textOf(summaryFile(folder)), textOf(framesFile(folder)), folder);
+  const std::string summary_json = textOf(summaryFile(folder));
+  return decodeReport(summary_json, textOf(framesFile(folder)), folder);
 }
 
 }  // namespace enfilade

@@ -26,17 +26,6 @@ std::string complaintOf(const std::string& csv) {
   return "";
 }
 
-TEST(ReportReader, RefusesASummaryThatNestsWithoutEnd) {
-  const std::string summary =
-      "{\"schema\": " + std::string(60'000, '[') + std::string(60'000, ']') + "}";
-  try {
-    decodeReport(summary, "method,frame,frametime_ms\nldi,0,1\n", "run");
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "run/summary.json: nests its JSON deeper than 100");
-  }
-}
-
 TEST(FramesCsvReader, RefusesAHeadOfColumnsWithoutEnd) {
   EXPECT_EQ(complaintOf(std::string(1 << 20, ',')),
             "frames.csv: line 1: has more columns than there can be");
@@ -169,7 +158,10 @@ TEST_F(ReportReader, SummariesThatAreDeepOrOfOtherShapesDoNoHarm) {
   writeText(here_ / "summary.json",
             R"({"schema": 1, "size": 640, "machine": "mine", "house": []})");
   EXPECT_EQ(complaint(), "");
-  expectOfSummary(std::string(200'000, '['), "is not JSON");
+  for (const std::string& open : {std::string(), std::string(R"({"schema": )")}) {
+    const std::string nested = std::string(200'000, '[') + std::string(200'000, ']');
+    expectOfSummary(open + nested + (open.empty() ? "" : "}"), "nests its JSON deeper than 100");
+  }
 }
 
 TEST_F(ReportReader, RefusesAHugeFileWithoutReadingIt) {
