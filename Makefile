@@ -16,7 +16,7 @@ FORMATTED := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 all: build
 
 setup:
-	@scripts/setup
+	@scripts/setup $(if $(filter asan tsan,$(PRESET)),clang-19 libclang-rt-19-dev llvm-19)
 
 configure: setup
 	@mkdir -p build

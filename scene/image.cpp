@@ -40,7 +40,8 @@ void append(void* context, void* data, int size) {
 /// Throws unless a picture of this size may be decoded.
 void requireSize(int width, int height, const std::string& subject) {
   const std::int64_t pixels = std::int64_t{width} * height;
-  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide && pixels <= kMaxPixels) {
+  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide &&
+      pixels <= kMaxPixels) {
     return;
   }
   fail(subject, "is " + std::to_string(width) + " x " + std::to_string(height) +

@@ -249,8 +249,8 @@ TEST_F(LimitedImagesTest, TwoMethodsShownAtOnceShareTheLimitAndComeToRest) {
 }
 
 TEST_F(LimitedImagesTest, AnImageThatCannotBeReadEndsAScriptedWalkAndIsToldInAWindow) {
-  const auto damaged = [](const std::string& folder, ImageKind, SideImages&) {
-    throw Error(ErrorKind::kBadInput, folder + "/ldi.bin", "is damaged");
+  const auto damaged = [](const SideFiles& files, ImageKind, SideImages&) {
+    throw Error(ErrorKind::kBadInput, files.folder + "/ldi.bin", "is damaged");
   };
   EXPECT_THROW(limited(Method::kLdi, kPlenty, 1, damaged), Error);
 

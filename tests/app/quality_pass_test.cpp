@@ -59,6 +59,8 @@ class QualityPass : public ::testing::Test {
         portalImageFolder(here_.path(), kDoorway.portal, kDoorway.from_front);
     createFolders(folder);
     writeLdi(folder + "/ldi.bin", ldi);
+    house_.files[portalImageName(kDoorway.portal, kDoorway.from_front, "ldi.bin")] =
+        fileChecksum(readFile(folder + "/ldi.bin"));
     painter_.reset();
     images_ = PortalImages(house_, here_.path());
     painter_ = std::make_unique<FramePainter>(*gl_, house_, images_, kWidth, kHeight, 1);

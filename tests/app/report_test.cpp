@@ -50,7 +50,8 @@ Report exampleReport() {
   for (std::size_t frame = 0; frame < 3; ++frame) {
     FrameRecord record{
         Method::kLdi, frame, {}, ImageQuality{30.0 + static_cast<double>(frame), 0.9, 12}};
-    record.cost = {ldi_ms[frame], 0.1, std::nullopt, 2, 0.3, 1, 50, 2, 3, 1, 4000, 1000, 0.25};
+    record.cost = {ldi_ms[frame], 0.1,  std::nullopt, 2,  0.3, 1, 50, 2, 3, 1,
+                   4000,          1000, 0.25,         {}, {},  {}};
     if (frame > 0) {  // the first shows no image
       record.quality->psnr_portals_db = 24.0 + static_cast<double>(frame);
       record.quality->ssim_portals = 0.85;

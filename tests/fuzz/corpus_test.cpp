@@ -66,7 +66,7 @@ TEST_P(Corpus, IsReadOrRefusedWithAnError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus, testing::ValuesIn(allTargets().begin(), allTargets().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 TEST(Corpora, HaveATargetEach) {
   std::size_t folders = 0;

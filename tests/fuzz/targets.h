@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ struct Target {
   std::string_view name;  ///< of its corpus and of its function above
   void (*read)(Bytes);
 };
+
+inline void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 /// All of them, by name.
 std::span<const Target> allTargets();
