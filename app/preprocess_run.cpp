@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds kPatience{1000};
 
 void sayWhatIsKept(const std::string& output) {
   const std::string kept = describeUnfinished(output);
-  printError("stopped: " + (kept.empty() ? "nothing was finished yet, and nothing is kept" : kept));
+  printError("stopped: " +
+             (kept.empty() ? "nothing was finished yet, and nothing is kept" : kept + kHowToGoOn));
 }
 
 /// Before the program is ended in its tracks.

@@ -44,6 +44,11 @@ void rejectExtras(const CLI::App& program) {
   if (extras.empty()) return;
   const std::string& extra = extras.front();
   if (extra.size() > 1 && extra[0] == '-') {
+    const std::string name = extra.substr(0, extra.find('='));
+    if (!chosen.empty() && command.get_option_no_throw(name) != nullptr) {
+      throwUsage(extra,
+                 "belongs behind the command: enfilade " + command.get_name() + " … " + name);
+    }
     throwUsage(extra, "no such option; there are: " + listOfOptions(command));
   }
   if (chosen.empty()) throwUsage(extra, "no such command; there are: " + listOfCommands(program));

@@ -112,7 +112,7 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
   } catch (const Error& error) {
     const std::string kept = describeUnfinished(folder);
     if (error.kind() != ErrorKind::kMachine || kept.empty()) throw;
-    throw Error(error.kind(), "", error.what() + ("; " + kept));
+    throw Error(error.kind(), "", error.what() + ("; " + kept) + kHowToGoOn);
   }
   return result;
 }

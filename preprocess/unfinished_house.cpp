@@ -140,9 +140,8 @@ std::string describeUnfinished(const std::string& folder) {
   const std::vector<PortalSide> sides = sidesWithImages(house.graph);
   std::size_t finished = 0;
   for (const PortalSide& side : sides) finished += isRecorded(path, side);
-  return fmt::format(
-      "{} of {} portal sides are finished and kept in {}: the same command goes on from there",
-      finished, sides.size(), path);
+  return fmt::format("{} of {} portal sides are finished and kept in {}", finished, sides.size(),
+                     path);
 }
 
 }  // namespace enfilade

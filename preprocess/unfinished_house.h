@@ -54,8 +54,10 @@ class UnfinishedHouse {
   bool ours_ = false;  ///< the folder is proved to hold nothing else
 };
 
-/// What of the house in `folder` an interrupted run has finished and how to go on, a sentence for a
-/// person; empty if nothing.
+/// What of the house in `folder` an interrupted run has finished, for a person; empty if nothing.
 std::string describeUnfinished(const std::string& folder);
+
+/// What to do about it, to be said after it.
+inline constexpr const char* kHowToGoOn = ": the same command goes on from there";
 
 }  // namespace enfilade

@@ -57,6 +57,8 @@ TEST_F(BadInput, ACommandLineThatMakesNoSense) {
   expectRefusal({}, 1, "there are: sample, inspect, preprocess, tour, play");
   expectRefusal({"bake"}, 1, "bake: no such command; there are: sample");
   expectRefusal({"--verbose"}, 1, "--verbose: no such option; there are: ");
+  expectRefusal({"--quiet", "play", "house", "-o", "r"}, 1,
+                "--quiet: belongs behind the command: enfilade play … --quiet");
   expectRefusal({"play", "house", "-o", "r", "--fast"}, 1, "--fast: no such option; there are: ");
   expectRefusal({"play", "house"}, 1, "--output is required");
   expectRefusal({"tour"}, 1, "HOUSE is required");
