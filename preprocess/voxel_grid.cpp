@@ -97,10 +97,14 @@ void checkFits(const Building& building, const Box& bounds, float voxel, int mar
   const auto metres = [](double length) {
     return std::to_string(length).substr(0, std::to_string(length).find('.') + 3) + " m";
   };
+  constexpr double kLargestThatFindsDoors = 1.0;
+  const std::string advice = enough <= kLargestThatFindsDoors
+                                 ? "voxels of " + metres(enough) +
+                                       " would do, or leave out what stands far from the building"
+                                 : "are its lengths in metres, and nothing far from the building?";
   throw Error(ErrorKind::kBadInput, building.name,
               "is " + metres(extent.x) + " × " + metres(extent.y) + " × " + metres(extent.z) +
-                  ": too large for voxels of " + metres(voxel) + "; voxels of " + metres(enough) +
-                  " would do, or leave out what stands far from the building");
+                  ": too large for voxels of " + metres(voxel) + "; " + advice);
 }
 
 }  // namespace

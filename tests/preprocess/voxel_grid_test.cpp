@@ -113,7 +113,7 @@ TEST(Voxelise, RolesAndBlendedMaterialGiveTheBits) {
 TEST(Voxelise, NamesAVoxelSizeThatWouldFitABuildingTooLarge) {
   TestBuilding test;
   test.box({0, 0, 0}, {1, 1, 1});
-  test.box({3000, 500, 3000}, {3001, 501, 3001});
+  test.box({300, 50, 300}, {301, 51, 301});
   try {
     voxelise(test.building, test.roles, 0.1f);
     FAIL() << "no error";
@@ -122,9 +122,22 @@ TEST(Voxelise, NamesAVoxelSizeThatWouldFitABuildingTooLarge) {
     const std::size_t at = what.find("voxels of ", what.find(';'));
     ASSERT_NE(at, std::string::npos) << what;
     const float enough = std::stof(what.substr(at + 10));
-    EXPECT_GT(enough, 1.0f);
-    EXPECT_LT(enough, 4.0f);
+    EXPECT_GT(enough, 0.1f);
+    EXPECT_LT(enough, 0.6f);
     EXPECT_NO_THROW(voxelise(test.building, test.roles, enough));
+  }
+}
+
+TEST(Voxelise, AsksForTheUnitOfABuildingThatNoDoorWouldBeFoundIn) {
+  TestBuilding test;
+  test.box({0, 0, 0}, {1, 1, 1});
+  test.box({100'000, 500, 3000}, {100'001, 501, 3001});
+  try {
+    voxelise(test.building, test.roles, 0.1f);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("are its lengths in metres"), std::string::npos)
+        << error.what();
   }
 }
 
