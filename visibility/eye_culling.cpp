@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "portals/polygon.h"
+#include "visibility/screen_matrix.h"
 
 namespace enfilade {
 
@@ -32,10 +33,7 @@ Box nearBox(const View& view) {
 std::vector<Plane> nearPyramid(const View& view) {
   std::vector<Plane> planes = wholeScreen(view).planes;
   const glm::dmat4 rows = glm::transpose(glm::dmat4(view.clip_from_world));
-  const glm::dvec4 before_near = -(rows[3] + rows[2]);
-  const double length = glm::length(glm::dvec3(before_near));
-  planes.push_back(
-      {glm::vec3(glm::dvec3(before_near) / length), static_cast<float>(before_near.w / length)});
+  planes.push_back(unitPlane(-(rows[3] + rows[2])));
   return planes;
 }
 

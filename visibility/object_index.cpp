@@ -5,14 +5,11 @@
 #include <cassert>
 #include <utility>
 
+#include "visibility/screen_matrix.h"
+
 namespace enfilade {
 
 namespace {
-
-Plane unitPlane(const glm::dvec4& row) {
-  const double length = glm::length(glm::dvec3(row));
-  return {glm::vec3(glm::dvec3(row) / length), static_cast<float>(row.w / length)};
-}
 
 /// The planes of the view volume: the four through the eye, then near and far.
 std::vector<Plane> frustumPlanes(const View& view) {

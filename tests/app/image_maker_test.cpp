@@ -8,9 +8,7 @@
 #include "app/frame_painter.h"
 #include "ibr/convex_region.h"
 #include "portals/polygon.h"
-#include "preprocess/bake_images.h"
-#include "tests/app/temporary_folder.h"
-#include "tests/app/two_room_house.h"
+#include "tests/app/baked_rooms.h"
 
 namespace enfilade {
 namespace {
@@ -18,22 +16,8 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 128;
 
-class ImagesTest : public ::testing::Test {
+class ImagesTest : public testing::BakedRooms {
  protected:
-  static void SetUpTestSuite() {
-    here_ = std::make_unique<TemporaryFolder>();
-    house_ = std::make_unique<House>(colouredTwoRooms());
-    bakeImages(*house_, parametersForAllImages(), here_->path(), {GlBackend::kOsMesa, 1}, {});
-    baked_ = std::make_unique<PortalImages>(*house_, here_->path());
-    gl_ = createOsMesaContext(1);
-  }
-  static void TearDownTestSuite() {
-    gl_.reset();
-    baked_.reset();
-    house_.reset();
-    here_.reset();
-  }
-
   /// A camera that looks at the doorway from one of the side's texture viewpoints.
   static Camera cameraAt(const glm::dvec3& eye) {
     Camera camera = walkingCamera(*house_, 1.2f, kWidth, kHeight);
@@ -48,16 +32,7 @@ class ImagesTest : public ::testing::Test {
     painter.read(picture);
     return picture;
   }
-
-  static std::unique_ptr<TemporaryFolder> here_;
-  static std::unique_ptr<House> house_;
-  static std::unique_ptr<PortalImages> baked_;
-  static std::unique_ptr<GlContext> gl_;
 };
-std::unique_ptr<TemporaryFolder> ImagesTest::here_;
-std::unique_ptr<House> ImagesTest::house_;
-std::unique_ptr<PortalImages> ImagesTest::baked_;
-std::unique_ptr<GlContext> ImagesTest::gl_;
 
 const Method kImageMethods[] = {Method::kTexture, Method::kWarp, Method::kWarp2, Method::kLdi};
 

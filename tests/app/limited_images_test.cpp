@@ -10,11 +10,9 @@
 
 #include "app/frame_painter.h"
 #include "app/walk.h"
-#include "preprocess/bake_images.h"
 #include "preprocess/tour.h"
 #include "scene/error.h"
-#include "tests/app/temporary_folder.h"
-#include "tests/app/two_room_house.h"
+#include "tests/app/baked_rooms.h"
 
 namespace enfilade {
 namespace {
@@ -27,21 +25,11 @@ constexpr int kHeight = 80;
 constexpr std::size_t kPlenty = std::size_t{1} << 30;
 const Method kImageMethods[] = {Method::kTexture, Method::kWarp, Method::kWarp2, Method::kLdi};
 
-class LimitedImagesTest : public ::testing::Test {
+class LimitedImagesTest : public testing::BakedRooms {
  protected:
   static void SetUpTestSuite() {
-    here_ = std::make_unique<TemporaryFolder>();
-    house_ = std::make_unique<House>(colouredTwoRooms());
-    bakeImages(*house_, parametersForAllImages(), here_->path(), {GlBackend::kOsMesa, 1}, {});
-    baked_ = std::make_unique<PortalImages>(*house_, here_->path());
+    BakedRooms::SetUpTestSuite();
     path_ = makeTour(*house_, {.frames = 40}).path;
-    gl_ = createOsMesaContext(1);
-  }
-  static void TearDownTestSuite() {
-    gl_.reset();
-    baked_.reset();
-    house_.reset();
-    here_.reset();
   }
 
   static Walk walk() { return {path_, walkingCamera(*house_, 1.2f, kWidth, kHeight)}; }
@@ -89,17 +77,8 @@ class LimitedImagesTest : public ::testing::Test {
     return std::max(bytesOf(kind, true), bytesOf(kind, false));
   }
 
-  static std::unique_ptr<TemporaryFolder> here_;
-  static std::unique_ptr<House> house_;
-  static std::unique_ptr<PortalImages> baked_;
-  static CameraPath path_;
-  static std::unique_ptr<GlContext> gl_;
+  static inline CameraPath path_;
 };
-std::unique_ptr<TemporaryFolder> LimitedImagesTest::here_;
-std::unique_ptr<House> LimitedImagesTest::house_;
-std::unique_ptr<PortalImages> LimitedImagesTest::baked_;
-CameraPath LimitedImagesTest::path_;
-std::unique_ptr<GlContext> LimitedImagesTest::gl_;
 
 TEST_F(LimitedImagesTest, TheFilesHeadersTellWhatImagesTakeInMemory) {
   for (const ImageKind kind : kAllImageKinds) {

@@ -94,6 +94,19 @@ class HalfDone : public ResumeTest {
     program.send(SIGKILL);
     program.wait();
   }
+  static void damage(const std::string& file) {
+    std::string bytes = textOf(file);
+    bytes[bytes.size() / 2] ^= 1;
+    writeText(file, bytes);
+  }
+  /// The same work, from the start because of `reason`.
+  static void expectBegunAfresh(const std::string& reason) {
+    const ProgramResult result = run(job("house"));
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.errors.find("cannot be gone on with: " + reason), std::string::npos)
+        << result.errors;
+    expectAsUndisturbed("house");
+  }
 };
 
 TEST_F(HalfDone, OtherParametersBeginAfreshAndSayWhy) {
@@ -109,18 +122,12 @@ TEST_F(HalfDone, OtherParametersBeginAfreshAndSayWhy) {
 
 TEST_F(HalfDone, AnotherModelBeginsAfresh) {
   fs::copy(path("rooms.glb"), path("original"));
-  TestBuilding other;
-  other.twoRooms({{1.5f, 2.5f, 0, 2.1f}}, {{1, 3, 0.9f, 2.1f}});
   Building building = roomRow();
   building.nodes[0].world_from_node[3].x += 0.05f;
   writeGlb(path("rooms.glb"), building);
   leaveHalf(job("house"));
   fs::copy(path("original"), path("rooms.glb"), fs::copy_options::overwrite_existing);
-  const ProgramResult result = run(job("house"));
-  EXPECT_EQ(result.status, 0);
-  EXPECT_NE(result.errors.find("cannot be gone on with: the model has changed"), std::string::npos)
-      << result.errors;
-  expectAsUndisturbed("house");
+  expectBegunAfresh("the model has changed");
 }
 
 TEST_F(HalfDone, AnOlderHouseStaysWholeUntilTheNewOneTakesItsPlace) {
@@ -146,25 +153,13 @@ TEST_F(HalfDone, AHouseThatIsNotThereYetIsNamedAsSuch) {
 
 TEST_F(HalfDone, DamagedWorkIsMadeAfresh) {
   leaveHalf(job("house"));
-  const std::string file = geometryFile(unfinishedFolder(path("house")));
-  std::string bytes = textOf(file);
-  bytes[bytes.size() / 2] ^= 1;
-  writeText(file, bytes);
-  const ProgramResult result = run(job("house"));
-  EXPECT_EQ(result.status, 0);
-  EXPECT_NE(result.errors.find("cannot be gone on with: house/unfinished/geometry.glb: is cut "
-                               "short, damaged"),
-            std::string::npos)
-      << result.errors;
-  expectAsUndisturbed("house");
+  damage(geometryFile(unfinishedFolder(path("house"))));
+  expectBegunAfresh("house/unfinished/geometry.glb: is cut short, damaged");
 }
 
 TEST_F(HalfDone, ASideWithADamagedImageIsBakedAgain) {
   leaveHalf(job("house"));
-  const std::string file = path("house/unfinished/") + finishedImages().begin()->first;
-  std::string bytes = textOf(file);
-  bytes[bytes.size() / 2] ^= 1;
-  writeText(file, bytes);
+  damage(path("house/unfinished/") + finishedImages().begin()->first);
   EXPECT_EQ(run(job("house")).status, 0);
   expectAsUndisturbed("house");
 }
