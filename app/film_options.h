@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "app/film.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace enfilade {
 

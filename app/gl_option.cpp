@@ -1,5 +1,6 @@
 #include "app/gl_option.h"
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "scene/error.h"

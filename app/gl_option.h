@@ -1,8 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "render/gl_context.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace enfilade {
 

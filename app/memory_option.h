@@ -1,9 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "app/frame_painter.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace enfilade {
 

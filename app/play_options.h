@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -8,6 +7,10 @@
 #include "app/playback.h"
 #include "app/warping.h"
 #include "render/gl_context.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace enfilade {
 

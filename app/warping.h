@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "ibr/hole_filling.h"
 #include "ibr/warp.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace enfilade {
 
