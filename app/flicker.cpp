@@ -1,12 +1,12 @@
 #include "app/flicker.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+
+#include "render/parallel_for.h"
 
 namespace enfilade {
 
@@ -90,8 +90,9 @@ FrameMotion motionBetween(const DepthView& before, const DepthView& now, int wid
   assert(before.depth.size() == motion.before.size() && now.depth.size() == motion.before.size());
   const glm::dmat4 before_from_now = glm::dmat4(before.camera.clipFromWorld()) *
                                      glm::inverse(glm::dmat4(now.camera.clipFromWorld()));
-  tbb::parallel_for(0, height, [&](int y) {
-    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  parallelFor(static_cast<std::size_t>(height), [&](std::size_t row) {
+    const std::size_t first = row * static_cast<std::size_t>(width);
+    const auto y = static_cast<double>(row);
     for (int x = 0; x < width; ++x) {
       const std::size_t pixel = first + static_cast<std::size_t>(x);
       const glm::dvec4 ndc(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height,
@@ -119,7 +120,7 @@ std::optional<double> flicker(const FrameMotion& motion, const PictureError& now
   std::vector<RowSum> rows(static_cast<std::size_t>(motion.height));
   const auto width = static_cast<std::size_t>(motion.width);
   const bool nothing_changes = isZero(now) && isZero(before);
-  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t y) {
+  parallelFor(rows.size(), [&](std::size_t y) {
     for (std::size_t pixel = y * width; pixel < (y + 1) * width; ++pixel) {
       const glm::vec2 place = motion.before[pixel];
       if (place.x < 0) continue;

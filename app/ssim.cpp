@@ -1,8 +1,5 @@
 // Wang, Bovik, Sheikh & Simoncelli, Image Quality Assessment: From Error Visibility to Structural
 // Similarity, 2004, sec. III.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,6 +7,7 @@
 
 #include "app/image_quality.h"
 #include "app/window_moments.h"
+#include "render/parallel_for.h"
 
 namespace enfilade {
 
@@ -137,11 +135,11 @@ Similarity similarityOf(const Image& a, const Image& b, std::span<const std::uin
   }
   const Comparison comparison(a, b, mask);
   std::vector<RowSums> sums(comparison.rows());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sums.size(), 16), [&](const auto& range) {
+  constexpr std::size_t kRowsTogether = 16;
+  parallelFor((sums.size() + kRowsTogether - 1) / kRowsTogether, [&](std::size_t block) {
     WindowRow row(static_cast<std::size_t>(a.width));
-    for (std::size_t y = range.begin(); y < range.end(); ++y) {
-      sums[y] = comparison.sumRow(y, row);
-    }
+    const std::size_t end = std::min(sums.size(), (block + 1) * kRowsTogether);
+    for (std::size_t y = block * kRowsTogether; y < end; ++y) sums[y] = comparison.sumRow(y, row);
   });
   // Row after row, so that the threads do not show in the last digit.
   RowSums total;

@@ -2,14 +2,13 @@
 // sec. 3.2, Figure 4a.
 #include "ibr/raycast_ldi.h"
 
-#include <tbb/parallel_for.h>
-
 #include <map>
 #include <set>
 #include <utility>
 
 #include "ibr/ldi_builder.h"
 #include "ibr/tile_caster.h"
+#include "render/parallel_for.h"
 
 namespace enfilade {
 namespace {
@@ -97,7 +96,7 @@ Ldi raycastLdi(const RayCaster& caster, const Portal& portal, bool from_front, f
   GrowingWindow window(central, parameters.ldi_half_width);
   for (auto tiles = window.next(); !tiles.empty(); tiles = window.next()) {
     std::vector<std::vector<LooseSample>> samples(tiles.size());
-    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    parallelFor(tiles.size(), [&](std::size_t i) {
       samples[i] = TileCaster(casting).cast(tiles[i].second, tiles[i].first);
     });
     for (std::size_t i = 0; i < tiles.size(); ++i) window.store(tiles[i], std::move(samples[i]));

@@ -1,5 +1,3 @@
-#include <tbb/parallel_for.h>
-
 #include <mutex>
 #include <random>
 
@@ -8,6 +6,7 @@
 #include "preprocess/random_sphere.h"
 #include "preprocess/share_geometry.h"
 #include "preprocess/sight_claims.h"
+#include "render/parallel_for.h"
 #include "render/ray_caster.h"
 
 namespace enfilade {
@@ -97,7 +96,7 @@ void claimBySight(const Building& building, std::span<const ObjectRole> roles,
   std::vector<Sighted> found(blocks.size());
   std::size_t done = 0;
   std::mutex telling;
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+  parallelFor(blocks.size(), [&](std::size_t b) {
     found[b] = sightsOfBlock(cells, blocks[b], static_cast<unsigned>(b), sight);
     const std::lock_guard lock(telling);
     ++done;

@@ -1,7 +1,5 @@
 #include "preprocess/crack_search.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +8,7 @@
 #include <tuple>
 
 #include "preprocess/random_sphere.h"
+#include "render/parallel_for.h"
 
 namespace enfilade {
 namespace {
@@ -89,7 +88,7 @@ std::vector<Sighted> varyLines(const SightClaims& sight, const std::vector<Crack
       round > 0 ? kRaysPerLine
                 : std::clamp(kFirstRays / lines.size(), kLeastPerPlace, kMostPerPlace);
   std::vector<Sighted> found((lines.size() + kLinesPerBlock - 1) / kLinesPerBlock);
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t b) {
+  parallelFor(found.size(), [&](std::size_t b) {
     std::mt19937 random(static_cast<unsigned>(round) * 0x9e3779b9u + static_cast<unsigned>(b));
     const std::size_t end = std::min(lines.size(), (b + 1) * kLinesPerBlock);
     for (std::size_t i = b * kLinesPerBlock; i < end; ++i) {

@@ -1,12 +1,11 @@
 #include "preprocess/patch_views.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "preprocess/random_sphere.h"
+#include "render/parallel_for.h"
 
 namespace enfilade {
 namespace {
@@ -126,7 +125,7 @@ std::vector<CrackLine> lookFromPatches(const Building& building, const Patches& 
   const PatchViews views(building, rays, sight);
   const std::size_t each = std::clamp<std::size_t>(lines / patches.count, 4, 64);
   std::vector<Sighted> found((patches.count + kPatchesPerBlock - 1) / kPatchesPerBlock);
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t b) {
+  parallelFor(found.size(), [&](std::size_t b) {
     std::mt19937 random(0x51f15eedu + static_cast<unsigned>(b));
     const std::size_t end = std::min<std::size_t>(patches.count, (b + 1) * kPatchesPerBlock);
     for (std::size_t p = b * kPatchesPerBlock; p < end; ++p) {
