@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/mesh_closure.h"
+#include "scene/extent_doubts.h"
 
 namespace enfilade {
 
@@ -28,18 +29,6 @@ void countNodes(const Building& building, BuildingFacts& facts) {
     if (!kind.empty()) ++kinds[kind];
   }
   facts.kinds.assign(kinds.begin(), kinds.end());
-}
-
-void noteSize(const BuildingFacts& facts, std::vector<std::string>& problems) {
-  const glm::vec3 size = facts.bounds.size();
-  const float longest = std::max(size.x, std::max(size.y, size.z));
-  if (longest > 2000) {
-    problems.push_back(fmt::format("{:.0f} m long: is the model in metres?", longest));
-  } else if (longest < 2) {
-    problems.push_back(fmt::format("only {:.2g} m long: is the model in metres?", longest));
-  } else if (size.y > 2 * std::max(size.x, size.z)) {
-    problems.push_back("more than twice as high as it is long: does +Y point up?");
-  }
 }
 
 }  // namespace
@@ -66,8 +55,7 @@ BuildingFacts describeBuilding(const Building& building) {
 }
 
 std::vector<std::string> buildingProblems(const BuildingFacts& facts) {
-  std::vector<std::string> problems;
-  noteSize(facts, problems);
+  std::vector<std::string> problems = extentDoubts(facts.bounds);
   if (facts.rooms_named == 0 && facts.portals_named > 0) {
     problems.push_back(fmt::format("{} portals are named but no room", facts.portals_named));
   }
@@ -81,6 +69,7 @@ std::vector<std::string> houseProblems(const House& house) {
   for (const std::vector<CellId>& seen_from : house.object_cells) {
     for (const CellId cell : seen_from) ++objects_of[cell];
   }
+  if (cells.size() == 1) problems.push_back(kNoRoom);
   for (std::size_t c = 1; c < cells.size(); ++c) {
     if (cells[c].volume <= 0) {
       problems.push_back(fmt::format("cell {} ({}) has no volume", c, cells[c].name));

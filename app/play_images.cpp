@@ -35,7 +35,7 @@ PlayImages::PlayImages(const House& house, const std::string& folder,
   } else {
     all_ = PortalImages(house, folder, kinds);
   }
-  require(methods, folder);
+  if (!house.graph.portals.empty()) require(methods, folder);  // else every method draws geometry
 }
 
 void PlayImages::require(const std::vector<Method>& methods, const std::string& folder) const {

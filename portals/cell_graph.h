@@ -88,4 +88,8 @@ void linkCells(CellGraph& graph);
 /// the same cell on both sides, cells but the exterior without a portal.
 std::vector<std::string> diagnose(const CellGraph& graph);
 
+/// What to say of a graph with no cell but the exterior: no fault, but nobody wants it.
+inline constexpr const char* kNoRoom =
+    "no room was found: the building is one cell, and nothing of it is culled";
+
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #include "preprocess/preprocess.h"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "preprocess/stages.h"
 #include "preprocess/unfinished_house.h"
 #include "scene/error.h"
+#include "scene/extent_doubts.h"
 #include "scene/file_io.h"
 #include "scene/model_reader.h"
 
@@ -40,6 +42,14 @@ void describeModel(const std::string& model_file, const std::string& sha256, Hou
   info.tool_version = ENFILADE_VERSION;
   info.model_name = std::filesystem::path(model_file).filename().string();
   info.model_sha256 = sha256;
+}
+
+/// What looks wrong with the model, before the long work.
+void tellDoubts(const Building& model, const PreprocessListener& listener) {
+  if (!listener.note) return;
+  for (const std::string& doubt : extentDoubts(worldBounds(model))) {
+    listener.note(fmt::format("note: {} is {}", model.name, doubt));
+  }
 }
 
 /// Bakes what images the house in `folder` has not yet.
@@ -84,8 +94,11 @@ void makeIn(const HouseFolder& output, const std::string& model_file,
   if (house) {
     if (listener.note) listener.note("goes on: " + describeUnfinished(output.path()));
   } else {
+    tellDoubts(model, listener);
     House made = makeHouse(std::move(model), parameters, given, stages);
     describeModel(model_file, sha256, made.info);
+    if (listener.note && made.graph.cells.size() == 1)
+      listener.note(fmt::format("note: {}", kNoRoom));
     house = stages.run("write the house", [&] { return work.write(std::move(made)); });
   }
   result.house = std::move(*house);

@@ -1,14 +1,14 @@
 #include "preprocess/voxel_grid.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 
 #include "preprocess/triangle_columns.h"
+#include "render/parallel_for.h"
 #include "scene/error.h"
+#include "scene/extent_doubts.h"
 
 namespace enfilade {
 
@@ -89,8 +89,14 @@ bool fits(const glm::dvec3& size) {
 /// Throws unless a grid over `bounds` fits in memory.
 void checkFits(const Building& building, const Box& bounds, float voxel, int margin) {
   const glm::dvec3 extent(bounds.size());
+  const float step = coordinateStep(bounds);
   if (!(glm::dot(extent, extent) < 1e18)) throwBadVertices(building);
-  if (fits(sizeOver(extent, voxel, margin))) return;
+  if (fits(sizeOver(extent, voxel, margin))) {
+    if (step <= voxel / 2) return;
+    throw Error(ErrorKind::kBadInput, building.name,
+                "stands so far from the origin that its coordinates lie " + lengthText(step) +
+                    " apart, too coarse for voxels of " + lengthText(voxel) + "; move it nearer");
+  }
   double enough = voxel;
   while (!fits(sizeOver(extent, enough, margin))) enough *= 1.05;
   enough = std::ceil(enough * 100) / 100;
@@ -128,8 +134,10 @@ VoxelGrid voxelise(const Building& building, std::span<const ObjectRole> roles, 
   // Slabs of columns: no two threads write the same voxel.
   const auto triangles = trianglesOf(building, roles, grid);
   constexpr int kSlab = 32;
-  tbb::parallel_for(0, (grid.size.x + kSlab - 1) / kSlab, [&](int slab) {
-    const int first_x = slab * kSlab, end_x = std::min(first_x + kSlab, grid.size.x);
+  const auto slabs = static_cast<std::size_t>((grid.size.x + kSlab - 1) / kSlab);
+  parallelFor(slabs, [&](std::size_t slab) {
+    const int first_x = static_cast<int>(slab) * kSlab,
+              end_x = std::min(first_x + kSlab, grid.size.x);
     for (const VoxelTriangle& triangle : triangles) fill(triangle, first_x, end_x, grid);
   });
   return grid;

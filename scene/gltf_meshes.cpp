@@ -139,7 +139,7 @@ std::uint32_t MeshReader::readMesh(const MeshKey& key, const std::string& subjec
   mesh.indices =
       readTriangles(key, building_.vertex_arrays[mesh.vertices].positions.size(), subject);
   if (dropNonFinite(building_.vertex_arrays[mesh.vertices], mesh.indices) > 0) {
-    warnings_.add("triangles with a corner that is not a finite number, left out", subject);
+    warnings_.add("triangles with a corner that is no number within 1e12 m, left out", subject);
   }
   if (mesh.indices.empty()) {
     warnings_.add("no triangles, left out", subject);

@@ -104,7 +104,7 @@ Building decodeGltf(std::span<const std::uint8_t> bytes, const std::string& file
   const std::vector<TextureMapping> mappings = readMaterials(gltf, building, log);
   MeshReader meshes(gltf, mappings, building, log);
   readNodes(gltf, meshes, building, log);
-  if (building.objects.empty()) gltf.fail("holds no triangles");
+  if (building.objects.empty()) gltf.fail("holds no triangles" + log.because());
   readOwnExtras(gltf, building, log);
   requireWithinReach(building, file);
   dropUnusedVertexArrays(building);

@@ -183,7 +183,9 @@ class ShapeReader {
     std::unordered_map<Corner, std::uint32_t, CornerHash> known;  // looked up, never walked through
   };
 
-  std::string quotedName() const { return "'" + oneLine(shape_.name) + "'"; }
+  std::string quotedName() const {
+    return shape_.name.empty() ? "an object without a name" : "'" + oneLine(shape_.name) + "'";
+  }
 
   static bool within(int index, std::size_t numbers, std::size_t each) {
     return index >= 0 && static_cast<std::size_t>(index) < numbers / each;
@@ -200,12 +202,15 @@ class ShapeReader {
       const glm::vec3 p = vectorAt(a.vertices, corner.vertex_index);
       if (!(std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest &&
             std::abs(p.z) <= kFarthest)) {
-        warnings_.add("faces with a corner that is not a finite number, left out", quotedName());
+        warnings_.add("faces with a corner that is no number within 1e12 m, left out",
+                      quotedName());
         return;
       }
       positions_.push_back(p);
     }
-    for (const auto& triangle : polygonTriangles(positions_)) {
+    const auto triangles = polygonTriangles(positions_);
+    if (triangles.empty()) warnings_.add("faces without area, left out", quotedName());
+    for (const auto& triangle : triangles) {
       Part& part = parts_[material];
       const glm::vec3 flat =
           faceNormal(positions_[triangle[0]], positions_[triangle[1]], positions_[triangle[2]]);
@@ -302,7 +307,8 @@ Building parseObj(std::span<const std::uint8_t> text, const std::string& file,
   for (const tinyobj::shape_t& shape : source.shapes) {
     ShapeReader(source, shape, building, log).read();
   }
-  if (building.objects.empty()) throw Error(ErrorKind::kBadInput, file, "holds no triangles");
+  if (building.objects.empty())
+    throw Error(ErrorKind::kBadInput, file, "holds no triangles" + log.because());
   mendNormals(building, log);
   if (warnings != nullptr) *warnings = log.lines();
   return building;

@@ -24,6 +24,8 @@ std::vector<std::string> WarningLog::lines() const {
   return lines;
 }
 
+std::string WarningLog::because() const { return entries_.empty() ? "" : ": " + lines().front(); }
+
 std::string oneLine(const std::string& text, std::size_t length) {
   std::string line = text.substr(0, length);
   if (text.size() > length) {

@@ -15,6 +15,9 @@ class WarningLog {
   /// A line for each `what`, in the order of their first mention: "WHAT: SUBJECT and 7 more".
   std::vector<std::string> lines() const;
 
+  /// The first line as the end of a message: ": WHAT: SUBJECT"; empty without any.
+  std::string because() const;
+
  private:
   struct Entry {
     std::string what;

@@ -148,7 +148,8 @@ TEST_F(MalformedGltf, TheSameDataNamedAgainAndAgain) {
   accessor(0)["count"] = 1 << 20;
   accessor(1).erase("bufferView");
   accessor(1)["count"] = 1 << 20;
-  for (int uv = 0; uv < 3; ++uv) {  // each of them is another mesh of the same million vertices
+  for (std::size_t uv = 0; uv < 3;
+       ++uv) {  // each of them is another mesh of the same million vertices
     builder_.add("materials", {{"name", std::to_string(uv)}});
     builder_.root["meshes"][0]["primitives"][uv] = {
         {"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", uv}}}, {"material", uv}};

@@ -120,7 +120,7 @@ TEST(Image, RejectsAPngThatSaysItIsHuge) {
 
 TEST(Image, RejectsAPngOfAGigabyteInAFewBytes) {
   std::vector<std::uint8_t> png = encodePng(gradient(4, 4));
-  for (const std::size_t at : {18, 22}) {  // both sides are 8192
+  for (const std::size_t at : {18U, 22U}) {  // both sides are 8192
     png[at] = 0x20;
     png[at + 1] = 0;
   }

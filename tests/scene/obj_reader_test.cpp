@@ -168,7 +168,15 @@ TEST_F(ObjReader, TakesFacesOfHundredsOfCorners) {
 
 TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {
   const std::string empty = folder_.file("empty.obj", kQuad + "f 7 8 9\n");
-  expectError([&] { readModel(empty); }, ErrorKind::kBadInput, empty, "holds no triangles");
+  expectError([&] { readModel(empty); }, ErrorKind::kBadInput, empty,
+              "holds no triangles: noticed: Vertex indices out of bounds");
+  const std::string flat =
+      folder_.file("flat.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3 4\n");
+  expectError([&] { readModel(flat); }, ErrorKind::kBadInput, flat,
+              "holds no triangles: faces without area");
+  const std::string far =
+      folder_.file("far.obj", "v 1e13 0 0\nv 2e13 0 0\nv 1e13 1e13 0\nf 1 2 3\n");
+  expectError([&] { readModel(far); }, ErrorKind::kBadInput, far, "no number within 1e12 m");
   const std::string other = folder_.file("other.obj", "solid cube\nfacet normal 0 0 1\n");
   expectError([&] { readObj(other); }, ErrorKind::kBadInput, other, "seems to be an STL file");
   EXPECT_FALSE(looksLikeObj({}));
