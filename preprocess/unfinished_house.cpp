@@ -109,6 +109,10 @@ House UnfinishedHouse::write(const House& house) {
 
 void UnfinishedHouse::finish(const House& house) {
   createFolders(imagesFolder(path_));
+  for (const auto& side : fs::directory_iterator(imagesFolder(path_))) {
+    if (side.is_directory()) syncFolder(side.path().string());
+  }
+  syncFolder(imagesFolder(path_));
   writeFileAtomically(finishedFile(path_), encodeHouseJson(house, house.files));
   syncFolder(path_);
   moveIntoPlace();
