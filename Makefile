@@ -2,6 +2,8 @@
 # make test    build and run the tests
 # make         build the program: build/release/app/enfilade
 # make fuzz    feed every reader of files broken ones, for SECONDS_EACH=60 seconds a format
+# make test PRESET=asan, or tsan: the tests under clang's sanitizers
+# make tidy    look for faults that compilers pass over, in all sources or those changed SINCE=COMMIT
 # make figures reproduce the paper's figures: docs/figures.md
 PRESET ?= release
 BUILD := build/$(PRESET)
@@ -11,7 +13,7 @@ SECONDS_EACH ?= 60
 export SECONDS_EACH
 FORMATTED := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
-.PHONY: all setup configure build test demo figures bench fuzz format format-check install clean
+.PHONY: all setup configure build test demo figures bench fuzz tidy format format-check install clean
 
 all: build
 
@@ -20,7 +22,7 @@ setup:
 
 configure: setup
 	@mkdir -p build
-	@cmake --preset $(PRESET) > $(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
+	@cmake --preset $(PRESET) $(CONFIGURE) > $(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
 
 # The program alone: what a user needs.
 build: configure
@@ -50,6 +52,11 @@ fuzz: setup
 	@scripts/setup clang-19 libclang-rt-19-dev
 	cmake --preset asan && cmake --build --preset asan --target fuzzers
 	scripts/fuzz build/asan $(TARGETS)
+
+tidy: setup
+	@scripts/setup clang-19 clang-tidy-19
+	@cmake --preset tidy > build/tidy.log
+	scripts/tidy build/tidy $(SINCE)
 
 format:
 	clang-format -i $(FORMATTED)

@@ -46,6 +46,11 @@ function(enfilade_tests folder)
   add_executable(${folder}_tests ${sources})
   enfilade_compile_options(${folder}_tests)
   target_compile_options(${folder}_tests PRIVATE ${ENFILADE_TEST_OPTIONS})
+  if(ENFILADE_TEST_OPTIONS)  # but not for what the tests share, which does the work
+    list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+    set_source_files_properties(${sources} PROPERTIES
+      COMPILE_OPTIONS "-O2" SKIP_PRECOMPILE_HEADERS ON)
+  endif()
   target_link_libraries(${folder}_tests PRIVATE ${ARGN} GTest::gtest GTest::gtest_main)
   target_precompile_headers(${folder}_tests PRIVATE
     <gtest/gtest.h> <string> <vector> <glm/glm.hpp>)

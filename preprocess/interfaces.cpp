@@ -21,25 +21,42 @@ struct Face {
   bool low_first;  ///< the voxel is the low cell's
 };
 
-void addFace(const VoxelGrid& voxels, const std::vector<std::uint16_t>& owner,
-             const glm::ivec3& voxel, int axis, std::vector<Face>& faces) {
-  glm::ivec3 next = voxel;
-  if (++next[axis] >= voxels.size[axis]) return;
-  const std::uint16_t a = owner[voxels.index(voxel.x, voxel.y, voxel.z)];
-  const std::uint16_t b = owner[voxels.index(next.x, next.y, next.z)];
+/// The owners of a column of voxels, and of those one further along x and z: null past the grid.
+struct OwnerColumns {
+  const std::uint16_t* here;
+  const std::uint16_t* next_x;
+  const std::uint16_t* next_z;
+};
+
+void addFace(std::uint16_t a, std::uint16_t b, const glm::ivec3& voxel, int axis,
+             std::vector<Face>& faces) {
   if (a == b || a == CellProposal::kNobody || b == CellProposal::kNobody) return;
   faces.push_back({std::min(a, b), std::max(a, b), voxel, axis, a < b});
+}
+
+/// The faces of the column of `height` voxels at x, z; most voxels have neighbours like them.
+void addFacesOfColumn(const OwnerColumns& owners, int x, int z, int height,
+                      std::vector<Face>& faces) {
+  for (int y = 0; y < height; ++y) {
+    const std::uint16_t own = owners.here[y];
+    const glm::ivec3 voxel(x, y, z);
+    if (owners.next_x != nullptr) addFace(own, owners.next_x[y], voxel, 0, faces);
+    if (y + 1 < height) addFace(own, owners.here[y + 1], voxel, 1, faces);
+    if (owners.next_z != nullptr) addFace(own, owners.next_z[y], voxel, 2, faces);
+  }
 }
 
 /// All faces, by the pair of cells, each pair's in the grid's order.
 std::vector<Face> findFaces(const VoxelGrid& voxels, const std::vector<std::uint16_t>& owner) {
   std::vector<Face> faces;
-  glm::ivec3 v;
-  for (v.x = 0; v.x < voxels.size.x; ++v.x) {
-    for (v.z = 0; v.z < voxels.size.z; ++v.z) {
-      for (v.y = 0; v.y < voxels.size.y; ++v.y) {
-        for (int axis = 0; axis < 3; ++axis) addFace(voxels, owner, v, axis, faces);
-      }
+  const auto column = [&](int x, int z) -> const std::uint16_t* {
+    if (x >= voxels.size.x || z >= voxels.size.z) return nullptr;
+    return &owner[voxels.index(x, 0, z)];
+  };
+  for (int x = 0; x < voxels.size.x; ++x) {
+    for (int z = 0; z < voxels.size.z; ++z) {
+      addFacesOfColumn({column(x, z), column(x + 1, z), column(x, z + 1)}, x, z, voxels.size.y,
+                       faces);
     }
   }
   std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {

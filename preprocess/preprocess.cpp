@@ -99,7 +99,7 @@ void makeIn(const HouseFolder& output, const std::string& model_file,
     describeModel(model_file, sha256, made.info);
     if (listener.note && made.graph.cells.size() == 1)
       listener.note(fmt::format("note: {}", kNoRoom));
-    house = stages.run("write the house", [&] { return work.write(std::move(made)); });
+    house = stages.run("write the house", [&] { return work.write(made); });
   }
   result.house = std::move(*house);
   if (parameters.images) bake(parameters, work.path(), listener, stages, result);
