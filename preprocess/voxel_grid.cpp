@@ -100,17 +100,15 @@ void checkFits(const Building& building, const Box& bounds, float voxel, int mar
   double enough = voxel;
   while (!fits(sizeOver(extent, enough, margin))) enough *= 1.05;
   enough = std::ceil(enough * 100) / 100;
-  const auto metres = [](double length) {
-    return std::to_string(length).substr(0, std::to_string(length).find('.') + 3) + " m";
-  };
   constexpr double kLargestThatFindsDoors = 1.0;
+  const auto text = [](double length) { return lengthText(static_cast<float>(length)); };
   const std::string advice = enough <= kLargestThatFindsDoors
-                                 ? "voxels of " + metres(enough) +
+                                 ? "voxels of " + text(enough) +
                                        " would do, or leave out what stands far from the building"
                                  : "are its lengths in metres, and nothing far from the building?";
   throw Error(ErrorKind::kBadInput, building.name,
-              "is " + metres(extent.x) + " × " + metres(extent.y) + " × " + metres(extent.z) +
-                  ": too large for voxels of " + metres(voxel) + "; " + advice);
+              "is " + text(extent.x) + " × " + text(extent.y) + " × " + text(extent.z) +
+                  ": too large for voxels of " + text(voxel) + "; " + advice);
 }
 
 }  // namespace

@@ -44,5 +44,13 @@ TEST(CoordinateStep, IsTheDistanceOfNeighbouringFloats) {
   EXPECT_EQ(coordinateStep({{0, 0, 0}, {70'000, 1, 1}}), 0.0078125f);
 }
 
+TEST(LengthText, IsInTheUnitThatSuitsIt) {
+  EXPECT_EQ(lengthText(0.0078125f), "7.8 mm");
+  EXPECT_EQ(lengthText(0.05f), "50 mm");
+  EXPECT_EQ(lengthText(0.1f), "0.10 m");
+  EXPECT_EQ(lengthText(-2.456f), "-2.46 m");
+  EXPECT_EQ(lengthText(98'400), "98 km");
+}
+
 }  // namespace
 }  // namespace enfilade
