@@ -1,7 +1,7 @@
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <cstddef>
@@ -31,7 +31,9 @@ void parallelFor(std::size_t count, const Body& body) {
   std::atomic<bool> failed{false};
   std::exception_ptr thrown;
   std::mutex keeping;
-  shareOut(count, tbb::this_task_arena::max_concurrency(), [&](std::size_t i) {
+  const std::size_t threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  shareOut(count, static_cast<int>(threads), [&](std::size_t i) {
     if (failed) return;
     try {
       body(i);
