@@ -26,7 +26,9 @@ void requireHouse(const std::string& folder) {
   if (!std::filesystem::is_directory(folder, ignored)) fail("is a file, not a house folder");
   if (isHouse(folder)) return;
   if (std::filesystem::is_directory(unfinishedFolder(folder), ignored)) {
-    fail("is a house that is not yet finished: give the same 'enfilade preprocess' again");
+    fail(
+        "is a house that is not yet finished: let its 'enfilade preprocess' come to its end, or "
+        "give the same again if it was stopped");
   }
   fail("is not a house: it has no house.json");
 }

@@ -91,15 +91,16 @@ void makeIn(const HouseFolder& output, const std::string& model_file,
     return;
   }
   std::optional<House> house = work.takeUp(listener.note);
+  tellDoubts(model, listener);
   if (house) {
     if (listener.note) listener.note("goes on: " + describeUnfinished(output.path()));
   } else {
-    tellDoubts(model, listener);
     House made = makeHouse(std::move(model), parameters, given, stages);
     describeModel(model_file, sha256, made.info);
-    if (listener.note && made.graph.cells.size() == 1)
-      listener.note(fmt::format("note: {}", kNoRoom));
     house = stages.run("write the house", [&] { return work.write(made); });
+  }
+  if (listener.note && house->graph.cells.size() == 1) {
+    listener.note(fmt::format("note: {}", kNoRoom));
   }
   result.house = std::move(*house);
   if (parameters.images) bake(parameters, work.path(), listener, stages, result);

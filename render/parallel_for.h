@@ -1,6 +1,5 @@
 #pragma once
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -8,6 +7,7 @@
 #include <exception>
 #include <mutex>
 
+#include "render/allowed_threads.h"
 #include "render/share_out.h"
 
 #if defined(__has_feature)
@@ -31,9 +31,7 @@ void parallelFor(std::size_t count, const Body& body) {
   std::atomic<bool> failed{false};
   std::exception_ptr thrown;
   std::mutex keeping;
-  const std::size_t threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  shareOut(count, static_cast<int>(threads), [&](std::size_t i) {
+  shareOut(count, allowedThreads(), [&](std::size_t i) {
     if (failed) return;
     try {
       body(i);

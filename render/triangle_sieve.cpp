@@ -1,10 +1,9 @@
 #include "render/triangle_sieve.h"
 
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "render/allowed_threads.h"
 #include "render/share_out.h"
 
 namespace enfilade {
@@ -121,7 +120,7 @@ void TriangleSieve::sift(std::span<const SieveObject> objects, const SieveView& 
   depths_ = depthRange(view.clip_from_world);
   plan(objects);
   if (slots_ < kShared) threads = 1;
-  if (threads <= 0) threads = tbb::this_task_arena::max_concurrency();
+  if (threads <= 0) threads = allowedThreads();
   shareOut(pieces_.size(), threads, [&](std::size_t i) {
     Piece& piece = pieces_[i];
     piece.kept = siftTriangles(corners_, piece.first, piece.count, piece.rows, output(piece.slot));

@@ -147,8 +147,8 @@ TEST_F(HalfDone, AHouseThatIsNotThereYetIsNamedAsSuch) {
   const ProgramResult result = run({"tour", "house", "-o", "tour.json"});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.errors,
-            "enfilade: house: is a house that is not yet finished: give the same 'enfilade "
-            "preprocess' again\n");
+            "enfilade: house: is a house that is not yet finished: let its 'enfilade preprocess' "
+            "come to its end, or give the same again if it was stopped\n");
 }
 
 TEST_F(HalfDone, DamagedWorkIsMadeAfresh) {
@@ -162,6 +162,19 @@ TEST_F(HalfDone, ASideWithADamagedImageIsBakedAgain) {
   damage(path("house/unfinished/") + finishedImages().begin()->first);
   EXPECT_EQ(run(job("house")).status, 0);
   expectAsUndisturbed("house");
+}
+
+TEST_F(HalfDone, WhatIsOddAboutTheModelIsSaidAgain) {
+  Building building = roomRow();
+  for (Node& node : building.nodes) node.world_from_node[3].x += 50'000;
+  writeGlb(path("far.glb"), building);
+  std::vector<std::string> command = job("house");
+  command[1] = "far.glb";
+  leaveHalf(command);
+  const ProgramResult again = run(command);
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.errors.find("50 km from the origin"), std::string::npos) << again.errors;
+  EXPECT_NE(again.errors.find("\ngoes on: "), std::string::npos) << again.errors;
 }
 
 TEST_F(HalfDone, OtherThingsInItAreNotRemoved) {

@@ -153,7 +153,7 @@ TEST(HouseFile, RejectsWhatIsNoHouse) {
   createFolders(temporary / "empty");
   EXPECT_SAYS(complaint(temporary / "empty"), "no house.json");
   createFolders(unfinishedFolder(temporary / "half"));
-  EXPECT_SAYS(complaint(temporary / "half"), "not yet finished: give the same 'enfilade preproces");
+  EXPECT_SAYS(complaint(temporary / "half"), "not yet finished: let its 'enfilade preprocess'");
   EXPECT_FALSE(isHouse(temporary / "empty"));
   writeFileAtomically(temporary / "empty/house.json", std::string("{\"enfilade\": \"tour\"}"));
   EXPECT_SAYS(complaint(temporary / "empty"), "not describe a house");

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "render/allowed_threads.h"
+
 namespace enfilade {
 namespace {
 
@@ -34,6 +36,16 @@ TEST(ParallelForOnThreads, KeepsToTheThreadsAllowed) {
   std::vector<std::thread::id> who(1000);
   parallelFor(who.size(), [&](std::size_t i) { who[i] = std::this_thread::get_id(); });
   EXPECT_EQ(who, std::vector<std::thread::id>(who.size(), std::this_thread::get_id()));
+}
+
+TEST(AllowedThreads, AreWhatOneTbbIsAllowed) {
+  EXPECT_GE(allowedThreads(), 1);
+  const int before = allowedThreads();
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(allowedThreads(), 1);
+  }
+  EXPECT_EQ(allowedThreads(), before);
 }
 
 }  // namespace
