@@ -9,6 +9,7 @@
 #include "app/floor_plan.h"
 #include "app/help_format.h"
 #include "app/inspection.h"
+#include "app/output_guard.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/gltf_writer.h"
@@ -43,6 +44,9 @@ std::vector<SideLayers> drawLayers(const InspectOptions& options, const House& h
 }
 
 void inspectHouse(const InspectOptions& options, bool quiet) {
+  for (const std::string& output : {options.plan, options.cells, options.layers}) {
+    refuseToReplace(output, options.input);
+  }
   const House house = readHouse(options.input);
   requireFiles(house, options.input);
   const ImageCounts images = countImages(house);
@@ -82,7 +86,8 @@ void inspectModel(const InspectOptions& options) {
 
 void runInspect(const InspectOptions& options, bool quiet) {
   // A folder is meant as a house, so that its reader says what is wrong with it.
-  if (std::filesystem::is_directory(options.input)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(options.input, ignored)) {
     inspectHouse(options, quiet);
   } else {
     inspectModel(options);

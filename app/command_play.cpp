@@ -56,11 +56,21 @@ void moveAskedDoors(const PlayOptions& options, House& house) {
   move(options.shut, false, "--shut");
 }
 
+FolderKind reportFolder() {
+  const std::set<std::string> proof = {"frames.csv", "summary.json", "report.html"};
+  FolderKind kind{proof, proof};
+  kind.own.insert({kContactSheetFile, kPicturesFolder});
+  return kind;
+}
+
 /// `folder` as seen from the report, for the page's pictures.
 std::string relativeTo(const std::string& report, const std::string& folder) {
   if (folder.empty() || report.empty()) return {};
-  const std::filesystem::path base = std::filesystem::absolute(report).lexically_normal();
-  return std::filesystem::absolute(folder).lexically_normal().lexically_relative(base).string();
+  std::error_code error;
+  const auto real = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  return real(folder).lexically_relative(real(report)).string();
 }
 
 /// What was chosen besides the methods, the size, the threads and the field of view.
@@ -166,7 +176,7 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   const Warping warping = parseWarping(options.warping);
   const Interruption interruption;
   std::optional<StagedFolder> folder;
-  if (!options.output.empty()) folder.emplace(options.output, "frames.csv");
+  if (!options.output.empty()) folder.emplace(options.output, reportFolder());
   std::optional<Film> film = filmFor(options, folder, size);
   House house = readHouse(options.house);
   moveAskedDoors(options, house);

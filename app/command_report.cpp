@@ -9,6 +9,7 @@
 #include "app/console.h"
 #include "app/frame_logs.h"
 #include "app/help_format.h"
+#include "app/output_guard.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
 
@@ -48,7 +49,9 @@ void refuse(const ReportOptions& options) {
     throw Error(ErrorKind::kUsage, "--output " + options.output,
                 "the page compares two reports or more; one report has its report.html");
   }
-  if (std::filesystem::is_directory(options.output)) {
+  for (const std::string& folder : options.folders) refuseToReplace(options.output, folder);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(options.output, ignored)) {
     throw Error(ErrorKind::kUsage, "--output " + options.output,
                 "is a folder; name the page to write, such as compare.html");
   }

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/help_format.h"
+#include "app/output_guard.h"
 #include "app/progress.h"
 #include "models/samples.h"
 #include "preprocess/bake_light.h"
@@ -42,6 +43,7 @@ void writeCredits(const std::string& model_file, const std::string& copyright) {
 }
 
 void runSample(const SampleOptions& options, bool quiet) {
+  refuseToReplace(options.output, options.name);
   const bool lit = options.bake_light.value_or(wantsBakedLight(options.name));
   Building building = raiseSample(options.name, options.triangles, options.furniture, lit);
   if (lit) {

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/help_format.h"
+#include "app/output_guard.h"
 #include "preprocess/tour.h"
 
 namespace enfilade {
@@ -26,6 +27,7 @@ PathFormat formatOf(const TourOptions& options) {
 }
 
 void runTour(const TourOptions& options, bool quiet) {
+  refuseToReplace(options.output, options.house);
   const House house = readHouse(options.house);
   const Tour tour = makeTour(house, options.parameters);
   writePath(options.output, tour.path, formatOf(options));

@@ -70,7 +70,8 @@ ViewOptions optionsOf(const ViewArguments& arguments, const CommandContext& cont
   if (arguments.speed > 0) settings.speed = arguments.speed;
   options.tour = arguments.tour;
   options.keep_in = arguments.keep_in;
-  if (!std::filesystem::is_directory(options.keep_in)) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(options.keep_in, ignored)) {
     throw Error(ErrorKind::kUsage, "--keep-in " + options.keep_in, "is no folder");
   }
   options.source = parseImageSource(arguments.images);

@@ -1,6 +1,6 @@
 #include "app/frame_size.h"
 
-#include <cstdio>
+#include <charconv>
 
 #include "scene/error.h"
 
@@ -8,9 +8,13 @@ namespace enfilade {
 
 glm::ivec2 parseFrameSize(const std::string& text) {
   glm::ivec2 size(0);
-  char after = 0;
-  const int found = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &after);  // NOLINT
-  if (found != 2 || size.x < 16 || size.y < 16 || size.x > 16384 || size.y > 16384) {
+  const char* const end = text.data() + text.size();
+  const auto [after_width, bad_width] = std::from_chars(text.data(), end, size.x);
+  const bool has_both = bad_width == std::errc() && after_width != end && *after_width == 'x';
+  const char* const height = has_both ? after_width + 1 : end;
+  const auto [after_height, bad_height] = std::from_chars(height, end, size.y);
+  const bool found = bad_height == std::errc() && after_height == end;
+  if (!found || size.x < 16 || size.y < 16 || size.x > 16384 || size.y > 16384) {
     throw Error(ErrorKind::kUsage, "--size " + text,
                 "no size; write WIDTHxHEIGHT in pixels, each 16 to 16384, such as 640x512");
   }

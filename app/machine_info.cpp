@@ -32,6 +32,11 @@ int usableCores() {
 
 }  // namespace
 
+std::uint64_t machineMemory() {
+  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
 MachineInfo describeMachine(const std::string& gl_renderer) {
   MachineInfo info;
   utsname kernel{};
@@ -39,8 +44,7 @@ MachineInfo describeMachine(const std::string& gl_renderer) {
   info.cpu = valueIn("/proc/cpuinfo", "model name");
   if (info.cpu.empty()) info.cpu = kernel.machine;
   info.cores = usableCores();
-  info.memory_bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                      static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  info.memory_bytes = machineMemory();
   info.system = valueIn("/etc/os-release", "PRETTY_NAME");
   info.system +=
       (info.system.empty() ? "" : ", ") + std::string(kernel.sysname) + " " + kernel.release;

@@ -14,6 +14,9 @@ struct MachineInfo {
   std::string gl_renderer;  ///< empty: no OpenGL was used
 };
 
+/// [bytes] of physical memory.
+std::uint64_t machineMemory();
+
 MachineInfo describeMachine(const std::string& gl_renderer);
 
 }  // namespace enfilade

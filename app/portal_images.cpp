@@ -1,6 +1,10 @@
 #include "app/portal_images.h"
 
+#include <fmt/format.h>
+
+#include "app/machine_info.h"
 #include "ibr/portal_side.h"
+#include "scene/error.h"
 
 namespace enfilade {
 
@@ -38,7 +42,29 @@ PortalImages::PortalImages(const House& house, const std::string& folder, const 
   read(house, folder, kinds);
 }
 
+void PortalImages::requireMemory(const House& house, const std::string& folder,
+                                 const ImageKinds& kinds) const {
+  std::uint64_t bytes = 0;
+  forEachSide(house, [&](PortalId id, bool from_front) {
+    for (const ImageKind kind : kAllImageKinds) {
+      if (!kinds.has(kind)) continue;
+      try {
+        bytes +=
+            lookAtSideImages({house, folder, id, from_front}, kind, side(id, from_front)).bytes;
+      } catch (const Error&) {
+        // Reading it says what is wrong with it.
+      }
+    }
+  });
+  if (bytes <= machineMemory()) return;
+  throw Error(ErrorKind::kMachine, folder,
+              fmt::format("its images take {} MiB of memory, and this machine has {}: limit them "
+                          "by --memory",
+                          bytes >> 20, machineMemory() >> 20));
+}
+
 void PortalImages::read(const House& house, const std::string& folder, const ImageKinds& kinds) {
+  requireMemory(house, folder, kinds);
   forEachSide(house, [&](PortalId id, bool from_front) {
     for (const ImageKind kind : kAllImageKinds) {
       if (kinds.has(kind))

@@ -16,7 +16,7 @@ class PortalImages {
   /// parameters in the house that cannot be.
   explicit PortalImages(const House& house);
   /// Reads the images of `kinds` that the house in `folder` lists.  Throws Error (kBadInput) for
-  /// one that is missing, damaged or another's.
+  /// one that is missing, damaged or another's, and (kMachine) for more than the machine's memory.
   PortalImages(const House& house, const std::string& folder, const ImageKinds& kinds = {});
 
   /// Reads those of `kinds` too.  Throws as the constructor does.
@@ -31,6 +31,8 @@ class PortalImages {
   std::size_t count() const noexcept;                ///< all images
 
  private:
+  void requireMemory(const House& house, const std::string& folder, const ImageKinds& kinds) const;
+
   std::vector<SideImages> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
 };
 

@@ -32,7 +32,8 @@ void sayAndTidy(const std::string& output, bool was_there) {
 
 PreprocessResult runTelling(const std::string& model, const std::string& output,
                             const PreprocessParameters& parameters, bool quiet) {
-  const bool was_there = std::filesystem::exists(output);
+  std::error_code ignored;
+  const bool was_there = std::filesystem::exists(output, ignored);
   const StopDeadline deadline(kPatience, [&] { sayAndTidy(output, was_there); });
   ProgressPrinter printer(quiet);
   const ProgressSink sink = printer.sink();

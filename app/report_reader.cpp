@@ -175,11 +175,19 @@ RecordedRun decodeReport(const std::string& summary_json, const std::string& fra
   run.frame_count = summary.count("/frames");
   run.facts = factsOf(summary);
   run.methods = parseFramesCsv(frames_csv, framesFile(folder));
+  for (const RecordedMethod& method : run.methods) {
+    if (run.frame_count == 0 || method.frames.size() == run.frame_count) continue;
+    throw Error(ErrorKind::kBadInput, framesFile(folder),
+                fmt::format("has {} frames of {}, and summary.json tells of {}: it is cut short, "
+                            "or of another report",
+                            method.frames.size(), method.name, run.frame_count));
+  }
   return run;
 }
 
 RecordedRun readReport(const std::string& folder) {
-  if (!std::filesystem::exists(folder)) {
+  std::error_code error;
+  if (!std::filesystem::exists(folder, error) && !error) {
     throw Error(ErrorKind::kBadInput, folder, "no such file");
   }
   const std::string summary_json = textOf(summaryFile(folder));

@@ -1,7 +1,5 @@
 #include "app/staged_file.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +7,7 @@
 #include <filesystem>
 
 #include "scene/error.h"
+#include "scene/file_io.h"
 
 namespace enfilade {
 
@@ -27,14 +26,8 @@ StagedFile::StagedFile(const std::string& file) : file_(file) {
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status)) fail(file, "is a directory");
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(file, "is not a regular file");
-  // A symbolic link stays one: what it points to is replaced.
-  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(file, error))) {
-    file_ = fs::canonical(file, error).string();
-  }
-  temporary_ = fmt::format("{}.tmp-{}", file_, getpid());
-  const int fd = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (fd < 0) fail(file, std::strerror(errno));
-  ::close(fd);
+  file_ = targetOf(file);
+  temporary_ = createTemporary(file_);
 }
 
 StagedFile::~StagedFile() {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
+#include "scene/warning_log.h"
 
 namespace enfilade {
 
@@ -27,10 +28,15 @@ void JsonView::allowOnly(std::initializer_list<const char*> keys) const {
 
 bool JsonView::has(const char* key) const { return value_->is_object() && value_->contains(key); }
 
+std::string JsonView::placeOf(const std::string& key) const {
+  // Kept by every value in it, so not at any length.
+  return place_.empty() ? oneLine(key) : place_ + "." + oneLine(key);
+}
+
 JsonView JsonView::at(const char* key) const {
   if (!value_->is_object()) fail("must be an object");
   if (!value_->contains(key)) fail(fmt::format("\"{}\" is missing", key));
-  return {(*value_)[key], subject_, place_.empty() ? key : place_ + "." + key};
+  return {(*value_)[key], subject_, placeOf(key)};
 }
 
 std::vector<JsonView> JsonView::items() const {
@@ -45,7 +51,7 @@ std::vector<std::pair<std::string, JsonView>> JsonView::members() const {
   if (!value_->is_object()) fail("must be an object");
   std::vector<std::pair<std::string, JsonView>> views;
   for (const auto& [key, value] : value_->items())
-    views.emplace_back(key, JsonView(value, subject_, place_.empty() ? key : place_ + "." + key));
+    views.emplace_back(key, JsonView(value, subject_, placeOf(key)));
   return views;
 }
 

@@ -38,6 +38,8 @@ class JsonView {
   bool isNumber() const;
 
  private:
+  std::string placeOf(const std::string& key) const;
+
   const nlohmann::json* value_;
   std::string subject_;
   std::string place_;

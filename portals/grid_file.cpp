@@ -23,6 +23,8 @@ constexpr std::uint32_t kVersion = 1;
 constexpr int kCompression = 6;
 /// Zstd's blocks give 128 KiB for 4 bytes at the very best.
 constexpr std::uint64_t kMostPerByte = 32768;
+// So that reading one takes less than 1 GiB.
+constexpr std::uint64_t kMostColumns = std::uint64_t{1} << 25, kMostRuns = std::uint64_t{1} << 26;
 
 template <typename T>
 void put(std::vector<std::uint8_t>& bytes, T value) {
@@ -133,6 +135,8 @@ class GridReader {
             "has an impossible number of runs");
     const std::uint64_t payload = 2 * header.columns + 4 * header.runs;
     require(payload / kMostPerByte <= bytes_.size(), "has sizes that its bytes cannot hold");
+    require(header.columns <= kMostColumns && header.runs <= kMostRuns,
+            "is too large: 2^25 columns and 2^26 runs can be read");
     return header;
   }
 

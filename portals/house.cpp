@@ -21,8 +21,12 @@ constexpr const char* kGrid = "cells.grid";
 
 void requireHouse(const std::string& folder) {
   std::error_code ignored;
-  const auto fail = [&](const char* reason) { throw Error(ErrorKind::kBadInput, folder, reason); };
-  if (!std::filesystem::exists(folder, ignored)) fail("no such file or folder");
+  const auto fail = [&](const std::string& reason) {
+    throw Error(ErrorKind::kBadInput, folder, reason);
+  };
+  if (!std::filesystem::exists(folder, ignored)) {
+    fail(ignored ? "cannot be read: " + ignored.message() : "no such file or folder");
+  }
   if (!std::filesystem::is_directory(folder, ignored)) fail("is a file, not a house folder");
   if (isHouse(folder)) return;
   if (std::filesystem::is_directory(unfinishedFolder(folder), ignored)) {
@@ -30,6 +34,9 @@ void requireHouse(const std::string& folder) {
         "is a house that is not yet finished: let its 'enfilade preprocess' come to its end, or "
         "give the same again if it was stopped");
   }
+  std::error_code error;
+  (void)std::filesystem::status(houseJsonFile(folder), error);
+  if (error == std::errc::permission_denied) fail("cannot be read: " + error.message());
   fail("is not a house: it has no house.json");
 }
 

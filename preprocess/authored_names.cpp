@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
+#include <string_view>
+#include <unordered_map>
 
 #include "preprocess/marker_outline.h"
 
@@ -22,12 +23,17 @@ json extra(const Node& node, const char* key) {
 }
 
 // NAME of a node called NAME-SUFFIX or NAME-SUFFIX-NUMBER; nothing if it is called otherwise.
-std::optional<std::string> nameBefore(const std::string& name, const char* suffix) {
-  static const std::regex pattern("(.*)-(room|portal|bound)([-_.]?[0-9]+)?");
-  std::smatch match;
-  if (std::regex_match(name, match, pattern) && match[2] == suffix) return match[1].str();
+std::optional<std::string> nameBefore(std::string_view name, std::string_view suffix) {
   if (name == suffix) return std::string();
-  return std::nullopt;
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  if (digits < name.size()) {
+    name = name.substr(0, digits);
+    if (name.ends_with('-') || name.ends_with('_') || name.ends_with('.')) name.remove_suffix(1);
+  }
+  if (!name.ends_with(suffix)) return std::nullopt;
+  name.remove_suffix(suffix.size());
+  if (!name.ends_with('-')) return std::nullopt;
+  return std::string(name.substr(0, name.size() - 1));
 }
 
 std::optional<std::string> roomName(const Node& node) {
@@ -45,17 +51,16 @@ bool isBound(const Node& node) { return nameBefore(node.name, "bound").has_value
 // For each node the room that it belongs to (index, or kNone): the nearest one above it.
 std::vector<std::uint32_t> roomOfNodes(const Building& building, AuthoredNames& names) {
   std::vector<std::uint32_t> room(building.nodes.size(), kNone);
+  std::unordered_map<std::string, std::uint32_t> known;  // looked up, never walked through
   for (std::size_t n = 0; n < building.nodes.size(); ++n) {
     const Node& node = building.nodes[n];
     if (node.parent != kNone) room[n] = room[node.parent];
     const auto name = roomName(node);
     if (!name || isPortal(node) || isBound(node) || *name == "exterior") continue;
-    std::size_t r = 0;
-    while (r < names.rooms.size() && names.rooms[r].name != *name) ++r;
-    if (r == names.rooms.size()) {
-      names.rooms.push_back({*name, {}, {}, glm::vec3(node.world_from_node[3])});
-    }
-    room[n] = static_cast<std::uint32_t>(r);
+    const auto [at, is_new] =
+        known.try_emplace(*name, static_cast<std::uint32_t>(names.rooms.size()));
+    if (is_new) names.rooms.push_back({*name, {}, {}, glm::vec3(node.world_from_node[3])});
+    room[n] = at->second;
   }
   return room;
 }

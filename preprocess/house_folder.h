@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,11 +32,14 @@ class HouseFolder {
   std::optional<FolderLock> lock_;
 };
 
-/// Throws Error (kUsage) if `folder` holds anything but `own` and leftovers of what was half
-/// written.
+/// The entries of the folder of a house.
+const std::set<std::string>& houseEntries();
+
+/// Throws Error (kUsage) if `folder` holds anything but `own` and what was half written of it, or
+/// if its images/ holds anything but folders of portal sides.
 void refuseOtherThings(const std::string& folder, const std::set<std::string>& own);
 
-/// Whether `name` is that of a file of ours which was still being written.
-bool isHalfWritten(const std::string& name);
+/// Whether `entry` is a file of the name of one of `own` that was still being written.
+bool isHalfWritten(const std::filesystem::directory_entry& entry, const std::set<std::string>& own);
 
 }  // namespace enfilade

@@ -24,11 +24,13 @@ std::vector<Box> placesOfDoors(const CellGraph& graph) {
 
 std::vector<ObjectRole> namedRoles(const Building& building, const std::string& doors,
                                    const std::string& windows) {
+  const std::vector<std::uint8_t> are_doors = matchNames(building, doors);
+  const std::vector<std::uint8_t> are_windows = matchNames(building, windows);
   std::vector<ObjectRole> roles;
-  for (const Object& object : building.objects) {
-    roles.push_back(matchesName(building, object, doors)     ? ObjectRole::kDoor
-                    : matchesName(building, object, windows) ? ObjectRole::kGlass
-                                                             : ObjectRole::kFixed);
+  for (std::size_t o = 0; o < building.objects.size(); ++o) {
+    roles.push_back(are_doors[o] != 0     ? ObjectRole::kDoor
+                    : are_windows[o] != 0 ? ObjectRole::kGlass
+                                          : ObjectRole::kFixed);
   }
   return roles;
 }

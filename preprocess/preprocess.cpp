@@ -23,6 +23,15 @@ namespace enfilade {
 
 namespace {
 
+/// Throws Error (kUsage) if the model stands where the house would put its own.
+void refuseToReplace(const std::string& model_file, const std::string& folder) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(model_file, geometryFile(folder), ignored)) {
+    throw Error(ErrorKind::kUsage, model_file,
+                "would be replaced: choose another folder for the house");
+  }
+}
+
 /// The graph that is to be taken, which preprocessing must not replace.
 std::optional<GivenGraph> takeGivenGraph(const std::string& folder,
                                          PreprocessParameters& parameters) {
@@ -113,6 +122,7 @@ PreprocessResult preprocessBuilding(const std::string& model_file, const std::st
                                     const PreprocessParameters& asked,
                                     const PreprocessListener& listener) {
   PreprocessParameters parameters = asked;
+  refuseToReplace(model_file, folder);
   const std::optional<GivenGraph> given = takeGivenGraph(folder, parameters);
   std::unique_ptr<tbb::global_control> limit;
   if (parameters.threads > 0) {

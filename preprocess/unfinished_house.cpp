@@ -58,6 +58,25 @@ void moveInto(const fs::path& to, const fs::path& from) {
   require(error, to.string());
 }
 
+/// Throws Error (kBadInput).
+House decoded(const std::string& house_json) {
+  House house;
+  decodeHouseJson(textOf(house_json), house_json, house);
+  return house;
+}
+
+/// What the house in `folder` lists.  Throws Error (kBadInput).
+HouseFiles listedFiles(const std::string& folder) { return decoded(houseJsonFile(folder)).files; }
+
+bool isSound(const std::string& house_json) {
+  try {
+    decoded(house_json);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 UnfinishedHouse::UnfinishedHouse(std::string house_folder, PreprocessJob job)
@@ -93,9 +112,27 @@ std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std:
 }
 
 std::optional<House> UnfinishedHouse::takeUpFinished() {
-  if (!exists(finishedFile(path_)) || !isOfThisJob()) return std::nullopt;
+  if (!isOfThisJob()) return std::nullopt;
+  if (isInPlace()) {
+    tidyUp();
+    return readHouse(house_folder_);
+  }
+  if (!exists(finishedFile(path_))) return std::nullopt;
+  if (!isSound(finishedFile(path_))) {  // a power cut took what was in it
+    removeAll(finishedFile(path_));
+    return std::nullopt;
+  }
   moveIntoPlace();
   return readHouse(house_folder_);
+}
+
+bool UnfinishedHouse::isInPlace() const {
+  if (exists(geometryFile(path_)) || !isHouse(path_) || !isHouse(house_folder_)) return false;
+  try {
+    return listedFiles(path_).at("geometry.glb") == listedFiles(house_folder_).at("geometry.glb");
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 House UnfinishedHouse::write(const House& house) {
@@ -113,6 +150,7 @@ void UnfinishedHouse::finish(const House& house) {
     if (side.is_directory()) syncFolder(side.path().string());
   }
   syncFolder(imagesFolder(path_));
+  syncFolder(path_);  // all that it lists, before it says that all is there
   writeFileAtomically(finishedFile(path_), encodeHouseJson(house, house.files));
   syncFolder(path_);
   moveIntoPlace();
@@ -125,9 +163,13 @@ void UnfinishedHouse::moveIntoPlace() {
   }
   moveInto(houseJsonFile(house_folder_), finishedFile(path_));
   for (const auto& entry : fs::directory_iterator(house_folder_)) {
-    if (isHalfWritten(entry.path().filename().string())) removeAll(entry.path());
+    if (isHalfWritten(entry, houseEntries())) removeAll(entry.path());
   }
   syncFolder(house_folder_);
+  tidyUp();
+}
+
+void UnfinishedHouse::tidyUp() {
   removeAll(jobFile(path_));  // first: without it nobody goes on
   removeAll(path_);
 }
@@ -137,7 +179,7 @@ std::string describeUnfinished(const std::string& folder) {
   if (!isHouse(path)) return {};
   House house;
   try {
-    decodeHouseJson(textOf(houseJsonFile(path)), houseJsonFile(path), house);
+    house = decoded(houseJsonFile(path));
   } catch (const Error&) {
     return {};
   }

@@ -31,7 +31,8 @@ class UnfinishedHouse {
   /// nothing, and `note` is told why.  Throws Error (kUsage) if there are other things.
   std::optional<House> takeUp(const std::function<void(const std::string&)>& note);
 
-  /// The house of an interrupted run that had only to put it in its place; it now is there.
+  /// The house of an interrupted run that had only to put it in its place, or had just done so; it
+  /// now is there.
   std::optional<House> takeUpFinished();
 
   /// Writes `house` without images and reads it back, so that what is baked does not depend on who
@@ -46,7 +47,9 @@ class UnfinishedHouse {
 
  private:
   bool isOfThisJob() const;
+  bool isInPlace() const;  ///< its run was stopped after the last move
   void moveIntoPlace();
+  void tidyUp();
 
   std::string house_folder_;
   std::string path_;

@@ -31,24 +31,34 @@ std::size_t triangleCount(const Building& building) {
 
 namespace {
 
-bool matchesOne(const Building& building, const Object& object, const std::string& pattern) {
+/// Sets the flags of what `pattern` matches.
+void matchOne(const Building& building, const std::string& pattern,
+              std::vector<std::uint8_t>& flags) {
   const auto matches = [&](const std::string& name) {
     return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
   };
-  for (std::uint32_t n = object.node; n != kNone; n = building.nodes[n].parent) {
-    if (matches(building.nodes[n].name)) return true;
+  std::vector<std::uint8_t> nodes, materials;  // parents come before their children
+  for (const Node& node : building.nodes) {
+    nodes.push_back((node.parent != kNone && nodes[node.parent] != 0) || matches(node.name));
   }
-  return matches(building.materialOf(object).name);
+  for (const Material& material : building.materials) materials.push_back(matches(material.name));
+  for (std::size_t o = 0; o < flags.size(); ++o) {
+    const Object& object = building.objects[o];
+    const std::uint32_t material = building.meshOf(object).material;
+    if (object.node != kNone && nodes[object.node] != 0) flags[o] = 1;
+    if (materials[material] != 0) flags[o] = 1;
+  }
 }
 
 }  // namespace
 
-bool matchesName(const Building& building, const Object& object, const std::string& patterns) {
+std::vector<std::uint8_t> matchNames(const Building& building, const std::string& patterns) {
+  std::vector<std::uint8_t> flags(building.objects.size(), 0);
   std::istringstream stream(patterns);
   for (std::string pattern; std::getline(stream, pattern, ',');) {
-    if (!pattern.empty() && matchesOne(building, object, pattern)) return true;
+    if (!pattern.empty()) matchOne(building, pattern, flags);
   }
-  return false;
+  return flags;
 }
 
 }  // namespace enfilade

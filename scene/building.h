@@ -98,9 +98,9 @@ Box worldBounds(const Building& building);
 /// Triangles over all objects, shared meshes counted once for each object.
 std::size_t triangleCount(const Building& building);
 
-/// Whether `pattern` (shell wildcards * and ?, case-sensitive) matches the name of the object's
-/// node, of one of the node's ancestors, or of its material.  Several patterns may be joined by
-/// commas.
-bool matchesName(const Building& building, const Object& object, const std::string& pattern);
+/// One flag an object: whether one of `patterns` (shell wildcards * and ?, case-sensitive, joined
+/// by commas) matches the name of the object's node, of one of the node's ancestors, or of its
+/// material.
+std::vector<std::uint8_t> matchNames(const Building& building, const std::string& patterns);
 
 }  // namespace enfilade

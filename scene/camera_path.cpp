@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/building_repair.h"
 #include "scene/camera_path_formats.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -98,8 +100,12 @@ void appendPose(const std::string& file, const std::string& place, TimedPose pos
   glm::quat& q = pose.pose.world_from_camera_rotation;
   const glm::vec3& p = pose.pose.position;
   const float length = glm::length(q);
-  if (!std::isfinite(pose.time) || !std::isfinite(p.x + p.y + p.z) || !std::isfinite(length)) {
+  if (!std::isfinite(pose.time) || !std::isfinite(p.x) || !std::isfinite(p.y) ||
+      !std::isfinite(p.z) || !std::isfinite(length)) {
     fail(file, place + " has a number that is not finite");
+  }
+  if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest) {
+    fail(file, place + " is more than 1e12 m from the origin");
   }
   if (length < 1e-6f) fail(file, place + " has no rotation: its quaternion is zero");
   if (std::abs(length - 1.0f) > 1e-6f) q /= length;

@@ -35,18 +35,21 @@ const tinygltf::Camera& cameraAt(const GltfModel& gltf, int camera) {
 AnimatedCamera findCamera(const GltfModel& gltf, const GltfAnimation& animation) {
   const GltfNodeTree tree = readNodeTree(gltf);
   bool any_camera = false;
+  std::vector<bool> animated;  // the entry or one above it; those come first
   for (std::size_t e = 0; e < tree.entries.size(); ++e) {
+    const std::uint32_t parent = tree.entries[e].parent;
+    animated.push_back((parent < e && animated[parent]) ||
+                       animation.animates(tree.entries[e].gltf_node));
     const int index = gltf->nodes[static_cast<std::size_t>(tree.entries[e].gltf_node)].camera;
     if (index < 0 || cameraAt(gltf, index).type != "perspective") continue;
     any_camera = true;
+    if (!animated[e]) continue;
     AnimatedCamera found{&cameraAt(gltf, index), {}};
     for (auto i = static_cast<std::uint32_t>(e); i < tree.entries.size();
          i = tree.entries[i].parent) {
       found.chain.push_back(tree.entries[i].gltf_node);
     }
-    const bool animated = std::any_of(found.chain.begin(), found.chain.end(),
-                                      [&](int node) { return animation.animates(node); });
-    if (animated) return found;
+    return found;
   }
   gltf.fail(any_camera ? "holds a camera, but no animation of it"
                        : "is glTF without a perspective camera, so it is no camera path");

@@ -42,6 +42,11 @@ class FileDescriptor {
 };
 
 [[noreturn]] void failRead(const std::string& file) {
+  for (const int machine : {EMFILE, ENFILE, ENOMEM, EIO}) {
+    if (errno == machine) {
+      throw Error(ErrorKind::kMachine, file, "cannot be read: " + systemReason());
+    }
+  }
   if (errno == ENOENT || errno == ENOTDIR) throw Error(ErrorKind::kBadInput, file, "no such file");
   throw Error(ErrorKind::kBadInput, file, "cannot be read: " + systemReason());
 }
@@ -56,6 +61,31 @@ bool writeAll(int fd, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+/// What the system has given the process already, a pipe, a terminal or a file of a shell's: it is
+/// written on, not replaced.
+bool isGiven(const std::string& file) {
+  return file.starts_with("/dev/") || file.starts_with("/proc/");
+}
+
+bool writeOn(const std::string& file, std::span<const std::uint8_t> bytes) {
+  FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  return fd.get() >= 0 && writeAll(fd.get(), bytes) && fd.close();
+}
+
+/// The file that is meant where `file` is a symbolic link, perhaps to nothing yet.
+std::string behindLinks(const std::string& file) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;
+  fs::path at = file;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
+    const fs::path target = fs::read_symlink(at, error);
+    if (error) return file;
+    at = target.is_absolute() ? target : at.parent_path() / target;
+  }
+  return at.string();
+}
+
 bool writeWhole(const std::string& file, std::span<const std::uint8_t> bytes) {
   FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   return fd.get() >= 0 && writeAll(fd.get(), bytes) && fd.close();
@@ -65,7 +95,33 @@ bool writeWhole(const std::string& file, std::span<const std::uint8_t> bytes) {
   throw Error(ErrorKind::kMachine, file, "cannot be written: " + reason);
 }
 
+/// The first of FILE.tmp-PID, FILE.tmp-PID-1, ... that `create` does not find there already.
+template <typename Create>
+std::string createNew(const std::string& file, Create&& create) {
+  constexpr int kMost = 1000;  // that killed processes of the same number left
+  const std::string name =
+      file + std::string(kTemporaryMark) + std::to_string(static_cast<long>(::getpid()));
+  std::string temporary = name;
+  for (int n = 1; n <= kMost; ++n) {
+    if (create(temporary.c_str())) return temporary;
+    if (errno != EEXIST) break;
+    temporary = name + "-" + std::to_string(n);
+  }
+  failWrite(file, systemReason());
+}
+
 }  // namespace
+
+std::string createTemporary(const std::string& file) {
+  return createNew(file, [](const char* name) {
+    const int fd = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return fd >= 0 && ::close(fd) == 0;
+  });
+}
+
+std::string createTemporaryFolder(const std::string& folder) {
+  return createNew(folder, [](const char* name) { return ::mkdir(name, 0777) == 0; });
+}
 
 std::vector<std::uint8_t> readFile(const std::string& file) {
   return readFileStart(file, std::numeric_limits<std::size_t>::max());
@@ -93,8 +149,22 @@ std::vector<std::uint8_t> readFileStart(const std::string& file, std::size_t mos
   return bytes;
 }
 
+std::string targetOf(const std::string& file) {
+  const std::string target = behindLinks(file);
+  std::error_code error;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(target, error))) {
+    failWrite(file, "is a symbolic link that leads to itself");
+  }
+  return target;
+}
+
 void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes) {
   namespace fs = std::filesystem;
+  if (file.empty()) throw Error(ErrorKind::kUsage, "", "the name of a file to write is empty");
+  if (isGiven(file)) {
+    if (!writeOn(file, bytes)) failWrite(file, systemReason());
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status)) failWrite(file, "is a directory");
@@ -103,11 +173,8 @@ void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> 
     if (!writeWhole(file, bytes)) failWrite(file, systemReason());
     return;
   }
-  // A symbolic link stays one: what it points to is replaced.
-  const std::string target = fs::is_symlink(fs::symlink_status(file, error)) && fs::exists(status)
-                                 ? fs::canonical(file, error).string()
-                                 : file;
-  const std::string temporary = target + ".tmp-" + std::to_string(::getpid());
+  const std::string target = targetOf(file);
+  const std::string temporary = createTemporary(target);
   if (writeWhole(temporary, bytes) && ::rename(temporary.c_str(), target.c_str()) == 0) return;
   const std::string reason = systemReason();
   ::unlink(temporary.c_str());

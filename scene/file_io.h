@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace enfilade {
@@ -14,7 +15,23 @@ std::vector<std::uint8_t> readFile(const std::string& file);
 /// Its first `most` bytes, or all if there are fewer.  Throws as readFile() does.
 std::vector<std::uint8_t> readFileStart(const std::string& file, std::size_t most);
 
+/// What stands between the name of a file or folder and numbers while it is written.
+inline constexpr std::string_view kTemporaryMark = ".tmp-";
+
+/// The file that replaces `file` when it is written: where that is a symbolic link, which stays
+/// one, what it leads to, there already or not.  Throws Error (kMachine) for a link to itself.
+std::string targetOf(const std::string& file);
+
+/// A new, empty file FILE.tmp-PID, or FILE.tmp-PID-N if there are such, beside `file`: its name.
+/// Nobody else's, even where processes of several machines write to one folder.  Throws Error
+/// (kMachine) that names `file`, with the system's reason.
+std::string createTemporary(const std::string& file);
+
+/// Likewise a folder.
+std::string createTemporaryFolder(const std::string& folder);
+
 /// Writes to FILE.tmp-PID beside `file`, then renames: the old content or the new, never half.
+/// What stands in /dev or /proc, such as /dev/stdout, is written on.
 /// Throws Error (kMachine) with the system's reason, and leaves no temporary file behind.
 void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes);
 void writeFileAtomically(const std::string& file, const std::string& text);

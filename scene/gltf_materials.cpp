@@ -9,6 +9,7 @@
 
 #include "scene/error.h"
 #include "scene/gltf_elements.h"
+#include "scene/picture_budget.h"
 
 namespace enfilade {
 namespace {
@@ -109,22 +110,17 @@ class ImageTable {
     return static_cast<std::uint32_t>(building_.images.size() - 1);
   }
 
-  /// Many images may be named of one part of the file.
   void countPixels(const Image& image) {
-    constexpr std::size_t kAlways = std::size_t{1} << 26;
-    constexpr std::size_t kEachByte = 512;
-    pixels_ += image.rgba.size() / 4;
-    if (pixels_ > kAlways && (pixels_ - kAlways) / kEachByte > gltf_.byteCount()) {
-      gltf_.fail(
-          fmt::format("has pictures of {} pixels, far more than its bytes can hold", pixels_));
-    }
+    if (budget_.add(image.rgba.size() / 4, gltf_.byteCount())) return;
+    gltf_.fail(fmt::format("has pictures of {} pixels, far more than its bytes can hold",
+                           budget_.pixels()));
   }
 
   const GltfModel& gltf_;
   Building& building_;
   WarningLog& warnings_;
   std::map<int, std::uint32_t> indices_;
-  std::size_t pixels_ = 0;
+  PictureBudget budget_;
 };
 
 std::string quoted(const tinygltf::Material& material) {

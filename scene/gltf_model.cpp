@@ -9,6 +9,7 @@
 #include "scene/error.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_resources.h"
+#include "scene/short_name.h"
 
 namespace enfilade {
 namespace {
@@ -120,6 +121,10 @@ GltfModel loadGltfModel(std::span<const std::uint8_t> bytes, const std::string& 
   root = nullptr;
   if (text.size() > std::numeric_limits<unsigned int>::max()) result.fail("has over 4 GiB of JSON");
   result.model = parseByTinyGltf(file, text, resources, warnings);
+  for (tinygltf::Node& node : result.model->nodes) shortenName(node.name);
+  for (tinygltf::Mesh& mesh : result.model->meshes) shortenName(mesh.name);
+  for (tinygltf::Material& material : result.model->materials) shortenName(material.name);
+  for (tinygltf::Image& image : result.model->images) shortenName(image.name);
   return result;
 }
 

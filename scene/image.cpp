@@ -13,6 +13,7 @@
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/jpeg_tables.h"
+#include "scene/png_inflation.h"
 
 namespace enfilade {
 namespace {
@@ -77,6 +78,31 @@ void requireFittingSize(int width, int height, std::span<const std::uint8_t> byt
   }
 }
 
+/// Throws for a PNG whose data inflate to much more than its picture needs.
+void requireFittingData(int width, int height, std::span<const std::uint8_t> bytes,
+                        const std::string& subject) {
+  constexpr std::size_t kMostOfAPixel = 8, kMostOfARow = 16, kSlack = 65536;  // of 16 bits, RGBA
+  const auto rows = static_cast<std::size_t>(height);
+  const std::size_t most =
+      kMostOfAPixel * static_cast<std::size_t>(width) * rows + kMostOfARow * rows + kSlack;
+  const PngInflation inflation = inflatePng(bytes, most);
+  if (inflation == PngInflation::kFits) return;
+  fail(subject, inflation == PngInflation::kTooMuch
+                    ? "cannot be decoded: it holds far more data than its pixels need"
+                    : "cannot be decoded: it is damaged");
+}
+
+/// Throws for a JPEG that goes over its picture more often than any needs.
+void requireFewScans(int width, int height, std::span<const std::uint8_t> bytes,
+                     const std::string& subject) {
+  constexpr std::size_t kMostScannedPixels = std::size_t{1} << 31;
+  const std::size_t scans = countJpegScans(bytes);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (scans > kMostScannedPixels / pixels) {
+    fail(subject, "cannot be decoded: it has " + std::to_string(scans) + " scans");
+  }
+}
+
 }  // namespace
 
 std::string imageMimeType(std::span<const std::uint8_t> bytes) {
@@ -101,8 +127,13 @@ Image decodeImage(const std::vector<std::uint8_t>& bytes, const std::string& sub
     fail(subject, std::string("cannot be decoded: ") + stbi_failure_reason());
   }
   requireFittingSize(image.width, image.height, bytes, subject);
-  if (imageMimeType(bytes) == "image/jpeg" && !hasSoundJpegTables(bytes)) {
-    fail(subject, "cannot be decoded: a table that it needs is damaged or not there");
+  if (imageMimeType(bytes) == "image/png") {
+    requireFittingData(image.width, image.height, bytes, subject);
+  } else {
+    if (!hasSoundJpegTables(bytes)) {
+      fail(subject, "cannot be decoded: a table that it needs is damaged or not there");
+    }
+    requireFewScans(image.width, image.height, bytes, subject);
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &image.width, &image.height, &channels, 4),

@@ -124,4 +124,11 @@ bool hasSoundJpegTables(Bytes bytes) noexcept {
   return true;
 }
 
+std::size_t countJpegScans(Bytes bytes) noexcept {
+  std::size_t scans = 0;
+  std::uint8_t marker = 0;
+  for (Bytes rest = bytes; takeMarker(rest, marker);) scans += marker == kScan;
+  return scans;
+}
+
 }  // namespace enfilade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -10,5 +11,8 @@ namespace enfilade {
 /// reads and writes what is not its own.  Of what else may be wrong with a file this says nothing.
 /// Source: ITU-T T.81, 1992, annex B.
 bool hasSoundJpegTables(std::span<const std::uint8_t> bytes) noexcept;
+
+/// How many scans a JPEG has: a decoder goes over the whole picture for each.
+std::size_t countJpegScans(std::span<const std::uint8_t> bytes) noexcept;
 
 }  // namespace enfilade

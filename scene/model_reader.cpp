@@ -1,9 +1,9 @@
 #include "scene/model_reader.h"
 
-#include <algorithm>
-#include <fstream>
 #include <vector>
 
+#include "scene/file_io.h"
+#include "scene/gltf_reader.h"
 #include "scene/obj_reader.h"
 
 namespace enfilade {
@@ -12,11 +12,7 @@ namespace {
 
 /// How a file begins; nothing of one that cannot be read, which its reader will say.
 std::vector<std::uint8_t> beginningOf(const std::string& file) {
-  std::vector<std::uint8_t> bytes(65536);
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(bytes.data()), std::ssize(bytes));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-  return bytes;
+  return readFileStart(file, 65536);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include "scene/error.h"
 #include "scene/file_io.h"
+#include "scene/picture_budget.h"
+#include "scene/short_name.h"
 
 namespace enfilade {
 namespace {
@@ -35,10 +37,14 @@ class Pictures {
     // The same file may have many names.
     const auto [same, is_new] = by_content_.try_emplace(sha256Hex(*bytes), kNone);
     if (!is_new) return same->second;
+    bytes_ += bytes->size();
     TextureImage picture;
     picture.name = name;
     try {
+      if (!fits_) throw Error(ErrorKind::kBadInput, name, kTooMany);
       picture.image = decodeImage(*bytes, name);
+      fits_ = budget_.add(picture.image.rgba.size() / 4, bytes_);
+      if (!fits_) throw Error(ErrorKind::kBadInput, name, kTooMany);
     } catch (const Error& error) {
       warnings_.add("picture left out", oneLine(error.what(), 200));
       return kNone;
@@ -50,15 +56,22 @@ class Pictures {
     return same->second;
   }
 
+  static constexpr const char* kTooMany =
+      "the pictures up to it are of far more pixels than their bytes can hold";
+
   const ObjResources& resources_;
   Building& building_;
   WarningLog& warnings_;
+  PictureBudget budget_;
+  std::size_t bytes_ = 0;  // of the pictures' files
+  bool fits_ = true;
   std::map<std::string, std::uint32_t> known_, by_content_;
 };
 
 Material materialOf(const tinyobj::material_t& source, Pictures& pictures) {
   Material material;
   material.name = source.name;
+  shortenName(material.name);
   material.double_sided = true;
   material.image = pictures.find(source.diffuse_texname);
   glm::vec3 color(0);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/gtc/color_space.hpp>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
@@ -19,6 +20,7 @@
 #include "scene/model_folder.h"
 #include "scene/obj_materials.h"
 #include "scene/polygon_triangles.h"
+#include "scene/short_name.h"
 #include "scene/warning_log.h"
 
 namespace enfilade {
@@ -34,6 +36,9 @@ struct ObjText {
 ObjText takeLibraries(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kWord = "mtllib";
   ObjText obj{{bytes.begin(), bytes.end()}, {}};
+  for (std::size_t i = 0; i + 1 < obj.text.size(); ++i) {  // lines that end as on old Macintoshes
+    if (obj.text[i] == '\r' && obj.text[i + 1] != '\n') obj.text[i] = '\n';
+  }
   if (obj.text.starts_with("\xef\xbb\xbf")) obj.text.replace(0, 3, "   ");
   for (std::size_t at = 0; at < obj.text.size();) {
     const std::size_t end = std::min(obj.text.find('\n', at), obj.text.size());
@@ -64,11 +69,14 @@ class LibraryReader : public tinyobj::MaterialReader {
   bool operator()(const std::string&, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* by_name, std::string* warn,
                   std::string* err) override {
+    std::set<std::string> known;
     const auto read = [&](const std::string& name) {
+      if (known.contains(name)) return true;
       const auto bytes = resources_(name);
       if (!bytes) return false;
       std::istringstream text(std::string(bytes->begin(), bytes->end()));
       tinyobj::LoadMtl(by_name, materials, &text, warn, err);
+      known.insert(name);
       return true;
     };
     for (const std::string& line : libraries_) {
@@ -108,26 +116,42 @@ void addNotices(const std::string& text, WarningLog& warnings) {
   }
 }
 
-/// Of any face.
-std::size_t mostCorners(const std::string& text) {
-  std::istringstream lines(text);
+std::size_t countWords(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r";
+  std::size_t count = 0;
+  for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos; ++count) {
+    at = line.find_first_not_of(kBlanks, std::min(line.find_first_of(kBlanks, at), line.size()));
+  }
+  return count;
+}
+
+/// The most corners of any face that it leaves in the text: to cut up one of very many corners
+/// takes a time that grows with their square.
+std::size_t takeLargeFaces(std::string& text, WarningLog& warnings) {
+  constexpr std::size_t kMostCorners = 2048;
   std::size_t most = 0;
-  for (std::string line; std::getline(lines, line);) {
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = std::string_view(text).substr(at, end - at);
     if (line.size() < 512 || line.find_first_not_of(" \t") != line.find('f')) continue;
-    std::istringstream words(line);
-    std::size_t count = 0;
-    for (std::string word; words >> word;) ++count;
-    most = std::max(most, count - 1);
+    const std::size_t corners = countWords(line) - 1;
+    if (corners <= kMostCorners) {
+      most = std::max(most, corners);
+      continue;
+    }
+    warnings.add("faces of over 2048 corners left out", std::to_string(corners) + " corners");
+    std::fill(text.begin() + static_cast<std::ptrdiff_t>(at),
+              text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
   }
   return most;
 }
 
 Source load(std::span<const std::uint8_t> bytes, const std::string& file,
             const ObjResources& resources, WarningLog& warnings) {
-  const ObjText obj = takeLibraries(bytes);
+  ObjText obj = takeLibraries(bytes);
   // Of faces with more corners it loses count, unless it cuts them up itself, which it does well
   // for convex ones, as such faces are.
-  const bool triangulate = mostCorners(obj.text) > 255;
+  const bool triangulate = takeLargeFaces(obj.text, warnings) > 255;
   Source source;
   LibraryReader libraries(obj.libraries, resources, warnings);
   std::istringstream text(obj.text);
@@ -243,7 +267,8 @@ class ShapeReader {
     part.vertices.texcoords.push_back(texcoord);
     if (source_.hasColors()) {
       const glm::vec3 color = glm::clamp(vectorAt(a.colors, corner.vertex_index), 0.0f, 1.0f);
-      const glm::vec3 linear = glm::convertSRGBToLinear(color);
+      glm::vec3 linear = glm::convertSRGBToLinear(color);
+      for (int c = 0; c < 3; ++c) linear[c] = linear[c] > 0 ? linear[c] : 0.0f;  // nor a NaN
       part.vertices.colors.push_back(glm::u16vec4(glm::vec4(linear, 1.0f) * 65535.0f + 0.5f));
     }
     return next;
@@ -253,10 +278,12 @@ class ShapeReader {
     const auto node = static_cast<std::uint32_t>(building_.nodes.size());
     Node named;
     named.name = shape_.name;
+    shortenName(named.name);
+    const std::string name = named.name;
     building_.nodes.push_back(std::move(named));
     for (auto& [material, part] : parts_) {
       Mesh mesh;
-      mesh.name = shape_.name;
+      mesh.name = name;
       mesh.material = material;
       mesh.vertices = static_cast<std::uint32_t>(building_.vertex_arrays.size());
       mesh.indices = std::move(part.indices);

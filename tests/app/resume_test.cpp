@@ -164,6 +164,45 @@ TEST_F(HalfDone, ASideWithADamagedImageIsBakedAgain) {
   expectAsUndisturbed("house");
 }
 
+TEST_F(HalfDone, WhatAPowerCutEmptiedIsNotPutInPlace) {
+  ASSERT_EQ(run(with(job("house"), "--image-size", "24")).status, 0);
+  leaveHalf(job("house"));
+  const auto images = finishedImages();
+  writeText(path("house/unfinished/finished.json"), "");
+  const ProgramResult result = run(job("house"));
+  EXPECT_EQ(result.status, 0) << result.errors;
+  expectNotBakedAgain(images);
+  expectAsUndisturbed("house");
+}
+
+TEST_F(HalfDone, KilledWhenAllIsInItsPlaceNothingIsMadeAgain) {
+  leaveHalf(job("house"));
+  const std::string unfinished = path("house/unfinished"), aside = path("aside");
+  fs::create_directory(aside);
+  for (const char* file : {"/job.json", "/house.json"}) fs::copy(unfinished + file, aside + file);
+  ASSERT_EQ(run(job("house")).status, 0);
+  fs::rename(aside, unfinished);
+  const auto written = fs::last_write_time(path("house/geometry.glb"));
+  const ProgramResult result = run(job("house"));
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors.find("cannot be gone on with"), std::string::npos) << result.errors;
+  EXPECT_EQ(fs::last_write_time(path("house/geometry.glb")), written);
+  expectAsUndisturbed("house");
+  EXPECT_FALSE(fs::exists(unfinished));
+}
+
+TEST_F(HalfDone, TheModelIsNotReplacedByItsHouse) {
+  fs::create_directory(path("house"));
+  fs::copy(path("rooms.glb"), path("house/geometry.glb"));
+  std::vector<std::string> command = job("house");
+  command[1] = "house/geometry.glb";
+  const ProgramResult result = run(command);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.errors.find("house/geometry.glb: would be replaced"), std::string::npos)
+      << result.errors;
+  EXPECT_EQ(textOf(path("house/geometry.glb")), textOf(path("rooms.glb")));
+}
+
 TEST_F(HalfDone, WhatIsOddAboutTheModelIsSaidAgain) {
   Building building = roomRow();
   for (Node& node : building.nodes) node.world_from_node[3].x += 50'000;

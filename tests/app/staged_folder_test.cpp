@@ -9,10 +9,11 @@ namespace enfilade {
 namespace {
 
 using Names = std::vector<std::string>;
+const FolderKind kKind{{"proof"}, {"proof", "more"}};
 
 ErrorKind kindOfFailure(const std::string& folder) {
   try {
-    StagedFolder staged(folder, "proof");
+    StagedFolder staged(folder, kKind);
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with(folder)) << error.what();
     return error.kind();
@@ -24,7 +25,7 @@ ErrorKind kindOfFailure(const std::string& folder) {
 TEST(StagedFolder, IsNotThereUntilItIsComplete) {
   TemporaryFolder here;
   {
-    StagedFolder staged(here / "report", "proof");
+    StagedFolder staged(here / "report", kKind);
     writeText(staged.path() + "/proof", "new");
     EXPECT_FALSE(std::filesystem::exists(here / "report"));
     staged.commit();
@@ -36,7 +37,7 @@ TEST(StagedFolder, IsNotThereUntilItIsComplete) {
 TEST(StagedFolder, LeavesNothingBehindWhenTheWorkFails) {
   TemporaryFolder here;
   {
-    StagedFolder staged(here / "report", "proof");
+    StagedFolder staged(here / "report", kKind);
     writeText(staged.path() + "/proof", "half");
   }
   EXPECT_EQ(here.names(), Names{});
@@ -47,9 +48,9 @@ TEST(StagedFolder, KeepsTheOldOneWhenTheWorkFailsAndReplacesItWhole) {
   std::filesystem::create_directory(here / "report");
   writeText(here / "report/proof", "old");
   writeText(here / "report/more", "old");
-  { StagedFolder failed(here / "report", "proof"); }
+  { StagedFolder failed(here / "report", kKind); }
   EXPECT_EQ(textOf(here / "report/proof"), "old");
-  StagedFolder staged(here / "report/", "proof");
+  StagedFolder staged(here / "report/", kKind);
   writeText(staged.path() + "/proof", "new");
   staged.commit();
   EXPECT_EQ(here.names(), Names{"report"});
@@ -70,9 +71,74 @@ TEST(StagedFolder, RefusesAFolderThatHoldsSomethingElse) {
 TEST(StagedFolder, TakesAnEmptyFolderAndMakesMissingParents) {
   TemporaryFolder here;
   std::filesystem::create_directory(here / "empty");
-  StagedFolder(here / "empty", "proof").commit();
-  StagedFolder(here / "a/b/c", "proof").commit();
+  StagedFolder(here / "empty", kKind).commit();
+  StagedFolder(here / "a/b/c", kKind).commit();
   EXPECT_TRUE(std::filesystem::is_directory(here / "a/b/c"));
+}
+
+TEST(StagedFolder, KeepsWhatIsNotItsOwn) {
+  TemporaryFolder here;
+  std::filesystem::create_directories(here / "report/photos");
+  writeText(here / "report/proof", "old");
+  writeText(here / "report/more", "old");
+  writeText(here / "report/notes", "irreplaceable");
+  writeText(here / "report/photos/one", "irreplaceable");
+  StagedFolder staged(here / "report", kKind);
+  writeText(staged.path() + "/proof", "new");
+  staged.commit();
+  EXPECT_EQ(here.names(), Names{"report"});
+  EXPECT_EQ(textOf(here / "report/proof"), "new");
+  EXPECT_EQ(textOf(here / "report/notes"), "irreplaceable");
+  EXPECT_EQ(textOf(here / "report/photos/one"), "irreplaceable");
+  EXPECT_FALSE(std::filesystem::exists(here / "report/more"));
+}
+
+TEST(StagedFolder, DoesNotReplaceWhatHasAppearedMeanwhile) {
+  TemporaryFolder here;
+  StagedFolder staged(here / "report", kKind);
+  writeText(staged.path() + "/proof", "new");
+  std::filesystem::create_directory(here / "report");
+  writeText(here / "report/notes", "irreplaceable");
+  EXPECT_THROW(staged.commit(), Error);
+  EXPECT_EQ(textOf(here / "report/notes"), "irreplaceable");
+  EXPECT_EQ(textOf(staged.path() + "/proof"), "new");
+}
+
+TEST(StagedFolder, RefusesTheFolderThatOneIsInBeforeTheWork) {
+  TemporaryFolder here;
+  std::filesystem::create_directory(here / "report");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(here / "report");
+  EXPECT_EQ(kindOfFailure(here / "report"), ErrorKind::kUsage);
+  EXPECT_THROW(StagedFolder(".", kKind), Error);
+  std::filesystem::current_path(before);
+  EXPECT_THROW(StagedFolder("/proc", FolderKind{{"version"}, {}}), Error);  // a mount point
+}
+
+TEST(StagedFolder, ALinkToAFolderStaysOne) {
+  TemporaryFolder here;
+  std::filesystem::create_directory(here / "real");
+  std::filesystem::create_symlink("real", here / "link");
+  StagedFolder staged(here / "link", kKind);
+  writeText(staged.path() + "/proof", "new");
+  staged.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(here / "link"));
+  EXPECT_EQ(textOf(here / "real/proof"), "new");
+}
+
+TEST(StagedFolder, TakesNothingThatAKilledRunLeft) {
+  TemporaryFolder here;
+  std::string stale;
+  {
+    StagedFolder staged(here / "report", kKind);
+    stale = staged.path();
+  }
+  std::filesystem::create_directory(stale);
+  writeText(stale + "/stale", "of another run");
+  StagedFolder staged(here / "report", kKind);
+  writeText(staged.path() + "/proof", "new");
+  staged.commit();
+  EXPECT_FALSE(std::filesystem::exists(here / "report/stale"));
 }
 
 TEST(StagedFolder, SaysThatItCannotBeWritten) {

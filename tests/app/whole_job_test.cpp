@@ -341,6 +341,8 @@ TEST_F(WholeJob, AReportIsReplacedByTheNext) {
   ASSERT_EQ(run(play).status, 0);
   writeText(path("twice/note"), "of the first");
   ASSERT_EQ(run(play).status, 0);
+  EXPECT_EQ(textOf(path("twice/note")), "of the first") << "it is a person's";
+  fs::remove(path("twice/note"));
   EXPECT_EQ(bytesBelow("twice").size(), 3u + 4u) << "of every third frame a picture";
 }
 

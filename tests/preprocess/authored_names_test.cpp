@@ -55,6 +55,31 @@ TEST(MarkerOutline, AClosedBoxHasNone) {
   EXPECT_TRUE(outlineOf(test.building, test.building.objects[0]).empty());
 }
 
+TEST(AuthoredNames, AreTakenOffTheirEndings) {
+  for (const auto& [name, room] : std::vector<std::pair<std::string, std::string>>{
+           {"hall-room", "hall"},
+           {"hall-room3", "hall"},
+           {"hall-room_003", "hall"},
+           {"hall-room.1", "hall"},
+           {"a-room-room-12", "a-room"},
+           {std::string(200'000, 'n') + "-room", std::string(200'000, 'n')},
+           {"hall-rooms", ""},
+           {"hallroom", ""},
+           {"hall-room-", ""},
+           {"hall-room3x", ""},
+           {std::string(200'000, 'n'), ""}}) {
+    Building building;
+    addNode(building, name);
+    const AuthoredNames names = takeAuthoredNames(building);
+    if (room.empty()) {
+      EXPECT_TRUE(names.rooms.empty()) << name.substr(0, 20);
+    } else {
+      ASSERT_EQ(names.rooms.size(), 1u) << name.substr(0, 20);
+      EXPECT_EQ(names.rooms[0].name, room);
+    }
+  }
+}
+
 TEST(MarkerOutline, TwoPiecesHaveNone) {
   Building building;
   building.materials.resize(1);

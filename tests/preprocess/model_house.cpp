@@ -3,6 +3,7 @@
 #include "preprocess/authored_names.h"
 #include "preprocess/cell_proposal.h"
 #include "preprocess/cut_cells.h"
+#include "preprocess/object_roles.h"
 #include "preprocess/voxel_grid.h"
 
 namespace enfilade::testing {
@@ -11,12 +12,7 @@ House houseOf(Building building, const std::string& doors, const std::string& wi
   House house;
   const AuthoredNames names = takeAuthoredNames(building);
   house.building = std::move(building);
-  for (const Object& object : house.building.objects) {
-    ObjectRole role = ObjectRole::kFixed;
-    if (matchesName(house.building, object, doors)) role = ObjectRole::kDoor;
-    if (matchesName(house.building, object, windows)) role = ObjectRole::kGlass;
-    house.object_roles.push_back(role);
-  }
+  house.object_roles = namedRoles(house.building, doors, windows);
   const VoxelGrid voxels = voxelise(house.building, house.object_roles, 0.1f);
   const CellProposal proposal = names.empty()
                                     ? findCells(house.building, house.object_roles, voxels, {})

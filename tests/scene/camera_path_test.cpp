@@ -155,6 +155,8 @@ TEST_F(CameraPaths, NameTheFrameThatIsWrong) {
             "frame 1 has no rotation");
   expectBad(tour(good + R"({"t": 2, "p": [0, 1e200, 0], "q": [0, 0, 0, 1]})"),
             "frame 1 has a number that is not finite");
+  expectBad(tour(good + R"({"t": 2, "p": [0, -1e13, 0], "q": [0, 0, 0, 1]})"),
+            "frame 1 is more than 1e12 m from the origin");
   expectBad(tour(good + R"({"t": 0.5, "p": [0, 0, 0], "q": [0, 0, 0, 1]})"),
             "frame 1 is earlier than the one before it");
 }

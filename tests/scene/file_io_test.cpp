@@ -111,6 +111,39 @@ TEST(WriteFileAtomically, KeepsASymbolicLink) {
   EXPECT_EQ(textOf(folder / "target"), "new");
 }
 
+TEST(WriteFileAtomically, FollowsALinkToAFileThatIsNotThereYet) {
+  const TempFolder folder;
+  fs::create_directory(folder / "there");
+  fs::create_symlink("there/new", folder / "link");
+  writeFileAtomically(folder / "link", std::string("new"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(textOf(folder / "there/new"), "new");
+  fs::create_symlink("loop", folder / "loop");
+  expectError([&] { writeFileAtomically(folder / "loop", std::string("x")); }, ErrorKind::kMachine,
+              folder / "loop", "leads to itself");
+}
+
+TEST(WriteFileAtomically, WritesOnWhatTheShellHasOpened) {
+  const TempFolder folder;
+  std::FILE* log = std::fopen(folder.file("log", "before, ").c_str(), "ab");  // NOLINT
+  ASSERT_NE(log, nullptr);
+  writeFileAtomically("/dev/fd/" + std::to_string(fileno(log)), std::string("after"));
+  std::fclose(log);  // NOLINT
+  EXPECT_EQ(textOf(folder / "log"), "before, after");
+}
+
+TEST(CreateTemporary, TakesNoNameThatIsTaken) {
+  const TempFolder folder;
+  const std::string first = createTemporary(folder / "x"), second = createTemporary(folder / "x");
+  EXPECT_NE(first, second);
+  EXPECT_TRUE(first.starts_with(folder / "x.tmp-"));
+  const std::string left = createTemporaryFolder(folder / "y");
+  writeFileAtomically(left + "/stale", std::string("x"));
+  EXPECT_TRUE(fs::is_empty(createTemporaryFolder(folder / "y")));
+  expectError([&] { createTemporary(folder / "no/x"); }, ErrorKind::kMachine, folder / "no/x",
+              "No such file or directory");
+}
+
 TEST(CreateFolders, CreatesParentsAndAcceptsWhatIsThere) {
   const TempFolder folder;
   createFolders(folder / "a/b/c");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
+#include <zlib.h>
 
 #include <algorithm>
 
@@ -142,6 +143,40 @@ TEST(Image, RejectsAPngWhoseChunkIsLongerThanTheFile) {
   png[33] = 0x49;  // of IDAT's length
   expectError([&] { decodeImage(png, "chunk.png"); }, ErrorKind::kBadInput, "chunk.png",
               "it is cut short, or damaged");
+}
+
+/// A PNG of 1 × 1 pixels whose data come to `size` zeros.
+std::vector<std::uint8_t> pngOfZeros(std::size_t size) {
+  std::vector<std::uint8_t> png = encodePng(gradient(1, 1));
+  png.resize(33);  // signature and header
+  const std::vector<std::uint8_t> zeros(size, 0);
+  uLongf length = compressBound(size);
+  std::vector<std::uint8_t> data(length);
+  compress(data.data(), &length, zeros.data(), size);
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    png.push_back(static_cast<std::uint8_t>(length >> shift));
+  }
+  for (const char c : {'I', 'D', 'A', 'T'}) png.push_back(static_cast<std::uint8_t>(c));
+  png.insert(png.end(), data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
+  png.insert(png.end(), {0, 0, 0, 0, 0, 0, 0, 0, 'I', 'E', 'N', 'D', 0, 0, 0, 0});
+  return png;
+}
+
+TEST(Image, RejectsAPngOfOnePixelAndMuchData) {
+  EXPECT_EQ(decodeImage(pngOfZeros(100), "small.png").width, 1);
+  expectError([&] { decodeImage(pngOfZeros(std::size_t{400} << 20), "bomb.png"); },
+              ErrorKind::kBadInput, "bomb.png", "far more data than its pixels need");
+}
+
+TEST(Image, RejectsAJpegOfTooManyScans) {
+  std::vector<std::uint8_t> jpeg = encodeJpeg(gradient(512, 512), 90);
+  EXPECT_EQ(decodeImage(jpeg, "few.jpg").width, 512);
+  const std::vector<std::uint8_t> start{0xff, 0xda};
+  const auto scan = std::search(jpeg.begin(), jpeg.end(), start.begin(), start.end());
+  const std::vector<std::uint8_t> head(scan, scan + 14);
+  for (int i = 0; i < 9000; ++i) jpeg.insert(jpeg.end() - 2, head.begin(), head.end());
+  expectError([&] { decodeImage(jpeg, "many.jpg"); }, ErrorKind::kBadInput, "many.jpg",
+              "has 9001 scans");
 }
 
 TEST(Image, TakesAPictureOfOneColourThatPacksWell) {

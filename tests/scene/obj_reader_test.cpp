@@ -1,5 +1,7 @@
 #include "scene/obj_reader.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -164,6 +166,88 @@ TEST_F(ObjReader, TakesFacesOfHundredsOfCorners) {
   }
   const Building b = read(text + face + "\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf -3 -2 -1\n");
   EXPECT_EQ(triangleCount(b), 399u);
+}
+
+/// A quad's vertices, and a circle of so many corners as one face.
+std::string circle(int corners) {
+  std::string text, face = "f";
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / corners;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  return text + face + "\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf -3 -2 -1\n";
+}
+
+TEST_F(ObjReader, LeavesOutFacesOfThousandsOfCorners) {
+  EXPECT_EQ(triangleCount(read(circle(3000))), 1u);
+  EXPECT_TRUE(warns("faces of over 2048 corners left out: 3000 corners"));
+}
+
+TEST_F(ObjReader, TakesLinesThatEndAsOnOldMacintoshes) {
+  std::string text = circle(300);
+  const std::size_t triangles = triangleCount(read(text));
+  EXPECT_EQ(triangles, 299u);
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(triangleCount(read(text)), triangles);
+}
+
+TEST_F(ObjReader, ReadsALibraryThatIsNamedAgainOnce) {
+  folder_.file("paint.mtl", "newmtl red\nKd 1 0 0\n");
+  std::string text;
+  for (int i = 0; i < 5; ++i) text += "mtllib paint.mtl\n";
+  const Building b = read(text + kQuad + "usemtl red\nf 1 2 3 4\n");
+  EXPECT_EQ(b.materials.size(), 2u);  // and that of faces without
+}
+
+TEST_F(ObjReader, AColourThatIsNoNumberIsBlack) {
+  const Building b = read("v 0 0 0 0e999 1 1\nv 1 0 0 1 1 1\nv 1 1 0 1 1 1\nf 1 2 3\n");
+  ASSERT_EQ(b.vertex_arrays[0].colors.size(), 3u);
+  EXPECT_EQ(b.vertex_arrays[0].colors[0].r, 0);
+  EXPECT_EQ(b.vertex_arrays[0].colors[1].r, 65535);
+}
+
+TEST_F(ObjReader, CutsLongNames) {
+  const Building b = read(kQuad + "o " + std::string(5000, 'x') + "\nf 1 2 3 4\n");
+  EXPECT_EQ(b.nodes.at(0).name, std::string(1000, 'x'));
+}
+
+/// A PNG of 8192 × 8192 pixels of a bit each, all black but for some of the first.
+std::vector<std::uint8_t> largePng(std::uint8_t first) {
+  std::vector<std::uint8_t> png = encodePng({1, 1, {0, 0, 0, 255}});
+  png.resize(33);  // signature and header
+  for (const std::size_t side : {18u, 22u}) {
+    png[side] = 0x20;
+    png[side + 1] = 0;
+  }
+  png[24] = 1;  // bit
+  png[25] = 0;  // grey
+  std::vector<std::uint8_t> rows(std::size_t{8192} * (1 + 8192 / 8), 0);
+  rows[1] = first;
+  uLongf length = compressBound(rows.size());
+  std::vector<std::uint8_t> data(length);
+  compress2(data.data(), &length, rows.data(), rows.size(), 9);
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    png.push_back(static_cast<std::uint8_t>(length >> shift));
+  }
+  for (const char c : {'I', 'D', 'A', 'T'}) png.push_back(static_cast<std::uint8_t>(c));
+  png.insert(png.end(), data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
+  png.insert(png.end(), {0, 0, 0, 0, 0, 0, 0, 0, 'I', 'E', 'N', 'D', 0, 0, 0, 0});
+  return png;
+}
+
+TEST_F(ObjReader, LeavesOutPicturesOfFarMorePixelsThanBytes) {
+  std::string library, text = "mtllib l.mtl\n" + kQuad;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = std::to_string(i);
+    folder_.file(name + ".png", largePng(static_cast<std::uint8_t>(i)));
+    library += "newmtl m" + name + "\nmap_Kd " + name + ".png\n";
+    text += "usemtl m" + name + "\nf 1/1 2/2 3/3 4/4\n";
+  }
+  folder_.file("l.mtl", library);
+  const Building b = read(text);
+  EXPECT_EQ(b.images.size(), 1u);
+  EXPECT_TRUE(warns("of far more pixels than their bytes can hold"));
 }
 
 TEST_F(ObjReader, RefusesWhatHoldsNoTriangles) {

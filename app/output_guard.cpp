@@ -1,0 +1,37 @@
+#include "app/output_guard.h"
+
+#include <filesystem>
+#include <set>
+
+#include "scene/error.h"
+
+namespace enfilade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether `output` is, or lies in, what stands in a house or report of that name.
+bool isPartOf(const std::string& folder, const std::string& output) {
+  static const std::set<std::string> parts = {
+      "house.json", "geometry.glb", "cells.grid",  "images",  // of a house
+      "unfinished", "frames.csv",   "summary.json"};          // and of a report
+  std::error_code error;
+  const fs::path within =
+      fs::weakly_canonical(fs::absolute(output, error), error)
+          .lexically_relative(fs::weakly_canonical(fs::absolute(folder, error), error));
+  return !within.empty() && parts.contains(within.begin()->string());
+}
+
+}  // namespace
+
+void refuseToReplace(const std::string& output, const std::string& input) {
+  if (output.empty()) return;
+  std::error_code error;
+  const bool is_same = fs::equivalent(output, input, error) && !error;
+  if (!is_same && !(fs::is_directory(input, error) && isPartOf(input, output))) return;
+  throw Error(ErrorKind::kUsage, output,
+              "would be replaced, and is read; name another file to write");
+}
+
+}  // namespace enfilade

@@ -1,0 +1,80 @@
+#include "preprocess/house_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene/error.h"
+#include "tests/app/temporary_folder.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string refusalOf(const std::string& folder) {
+  try {
+    const HouseFolder house(folder);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    return error.what();
+  }
+  return {};
+}
+
+class HouseFolderTest : public ::testing::Test {
+ protected:
+  HouseFolderTest() { fs::create_directory(here_ / "house"); }
+  void put(const std::string& name) {
+    fs::create_directories(fs::path(here_ / ("house/" + name)).parent_path());
+    writeText(here_ / ("house/" + name), "irreplaceable");
+  }
+  TemporaryFolder here_;
+};
+
+TEST_F(HouseFolderTest, TakesAHouseAndWhatIsUnfinished) {
+  EXPECT_EQ(refusalOf(here_ / "house"), "");
+  put("unfinished/job.json");
+  put("geometry.glb");  // moved already
+  EXPECT_EQ(refusalOf(here_ / "house"), "");
+  put("house.json");
+  put("images/portal-0012-front/ldi.bin");
+  put("images/portal-12345-back/ldi.bin");
+  put("house.json.tmp-123");
+  EXPECT_EQ(refusalOf(here_ / "house"), "");
+}
+
+TEST_F(HouseFolderTest, RefusesWhatOnlyBearsTheNamesOfAHouse) {
+  put("images/photo.jpg");
+  EXPECT_NE(refusalOf(here_ / "house").find("holds other things (images)"), std::string::npos);
+  put("house.json");
+  EXPECT_NE(refusalOf(here_ / "house").find("(images/photo.jpg)"), std::string::npos);
+  fs::remove_all(here_ / "house");
+  put("geometry.glb");
+  EXPECT_NE(refusalOf(here_ / "house").find("(geometry.glb)"), std::string::npos);
+}
+
+TEST_F(HouseFolderTest, RefusesWhatIsNoFileOfItsOwnHalfWritten) {
+  put("house.json");
+  for (const char* name : {"notes.tmp-7", "house.json.tmp-backup", "geometry.glb.tmp-1/x"}) {
+    put(name);
+    EXPECT_NE(refusalOf(here_ / "house"), "") << name;
+    fs::remove_all(here_ / "house");
+    put("house.json");
+  }
+}
+
+TEST_F(HouseFolderTest, RefusesAnEmptyName) { EXPECT_NE(refusalOf(""), ""); }
+
+TEST_F(HouseFolderTest, MakesWhatIsMeantBehindALink) {
+  fs::create_directories(here_ / "far/away");
+  fs::create_directory_symlink("far/away", here_ / "link");
+  const HouseFolder beside(here_ / "link/../made");
+  EXPECT_TRUE(fs::is_directory(here_ / "far/made"));
+  EXPECT_FALSE(fs::exists(here_ / "made"));
+  const HouseFolder deep(here_ / "none/../deep");
+  EXPECT_TRUE(fs::is_directory(here_ / "deep"));
+}
+
+}  // namespace
+}  // namespace enfilade
