@@ -114,8 +114,9 @@ std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std:
 std::optional<House> UnfinishedHouse::takeUpFinished() {
   if (!isOfThisJob()) return std::nullopt;
   if (isInPlace()) {
+    House house = readHouse(house_folder_);
     tidyUp();
-    return readHouse(house_folder_);
+    return house;
   }
   if (!exists(finishedFile(path_))) return std::nullopt;
   if (!isSound(finishedFile(path_))) {  // a power cut took what was in it

@@ -64,7 +64,8 @@ bool writeAll(int fd, std::span<const std::uint8_t> bytes) {
 /// What the system has given the process already, a pipe, a terminal or a file of a shell's: it is
 /// written on, not replaced.
 bool isGiven(const std::string& file) {
-  return file.starts_with("/dev/") || file.starts_with("/proc/");
+  return file == "/dev/stdout" || file == "/dev/stderr" || file.starts_with("/dev/fd/") ||
+         file.starts_with("/proc/");
 }
 
 bool writeOn(const std::string& file, std::span<const std::uint8_t> bytes) {

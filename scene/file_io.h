@@ -31,7 +31,7 @@ std::string createTemporary(const std::string& file);
 std::string createTemporaryFolder(const std::string& folder);
 
 /// Writes to FILE.tmp-PID beside `file`, then renames: the old content or the new, never half.
-/// What stands in /dev or /proc, such as /dev/stdout, is written on.
+/// What the shell has opened, such as /dev/stdout, is written on.
 /// Throws Error (kMachine) with the system's reason, and leaves no temporary file behind.
 void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes);
 void writeFileAtomically(const std::string& file, const std::string& text);

@@ -130,6 +130,12 @@ TEST(WriteFileAtomically, WritesOnWhatTheShellHasOpened) {
   writeFileAtomically("/dev/fd/" + std::to_string(fileno(log)), std::string("after"));
   std::fclose(log);  // NOLINT
   EXPECT_EQ(textOf(folder / "log"), "before, after");
+  if (!fs::is_directory("/dev/shm")) return;
+  const std::string memory = "/dev/shm/enfilade-" + std::to_string(::getpid());
+  writeFileAtomically(memory, std::string("old"));
+  writeFileAtomically(memory, std::string("new"));
+  EXPECT_EQ(textOf(memory), "new") << "a file like any other";
+  fs::remove(memory);
 }
 
 TEST(CreateTemporary, TakesNoNameThatIsTaken) {
