@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
-#include <zlib.h>
 
 #include <algorithm>
 
 #include "scene/file_io.h"
 #include "scene_test_tools.h"
+#include "tests/scene/png_by_hand.h"
 
 namespace enfilade {
 namespace {
@@ -147,19 +147,7 @@ TEST(Image, RejectsAPngWhoseChunkIsLongerThanTheFile) {
 
 /// A PNG of 1 × 1 pixels whose data come to `size` zeros.
 std::vector<std::uint8_t> pngOfZeros(std::size_t size) {
-  std::vector<std::uint8_t> png = encodePng(gradient(1, 1));
-  png.resize(33);  // signature and header
-  const std::vector<std::uint8_t> zeros(size, 0);
-  uLongf length = compressBound(size);
-  std::vector<std::uint8_t> data(length);
-  compress(data.data(), &length, zeros.data(), size);
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    png.push_back(static_cast<std::uint8_t>(length >> shift));
-  }
-  for (const char c : {'I', 'D', 'A', 'T'}) png.push_back(static_cast<std::uint8_t>(c));
-  png.insert(png.end(), data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
-  png.insert(png.end(), {0, 0, 0, 0, 0, 0, 0, 0, 'I', 'E', 'N', 'D', 0, 0, 0, 0});
-  return png;
+  return pngByHand(1, 8, 6, std::vector<std::uint8_t>(size, 0));
 }
 
 TEST(Image, RejectsAPngOfOnePixelAndMuchData) {

@@ -1,12 +1,11 @@
 #include "scene/obj_reader.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "scene/model_reader.h"
 #include "scene_test_tools.h"
+#include "tests/scene/png_by_hand.h"
 
 namespace enfilade {
 namespace {
@@ -156,19 +155,7 @@ TEST_F(ObjReader, KeepsADoorwayInAWallsOutlineOpen) {
   EXPECT_FLOAT_EQ(area, 13);
 }
 
-TEST_F(ObjReader, TakesFacesOfHundredsOfCorners) {
-  std::string text, face = "f";
-  constexpr int kCorners = 400;
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / kCorners;
-    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
-    face += " " + std::to_string(i + 1);
-  }
-  const Building b = read(text + face + "\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf -3 -2 -1\n");
-  EXPECT_EQ(triangleCount(b), 399u);
-}
-
-/// A quad's vertices, and a circle of so many corners as one face.
+/// A circle of so many corners as one face, and a triangle.
 std::string circle(int corners) {
   std::string text, face = "f";
   for (int i = 0; i < corners; ++i) {
@@ -177,6 +164,10 @@ std::string circle(int corners) {
     face += " " + std::to_string(i + 1);
   }
   return text + face + "\nv 5 5 5\nv 6 5 5\nv 6 6 5\nf -3 -2 -1\n";
+}
+
+TEST_F(ObjReader, TakesFacesOfHundredsOfCorners) {
+  EXPECT_EQ(triangleCount(read(circle(400))), 399u);
 }
 
 TEST_F(ObjReader, LeavesOutFacesOfThousandsOfCorners) {
@@ -214,26 +205,9 @@ TEST_F(ObjReader, CutsLongNames) {
 
 /// A PNG of 8192 × 8192 pixels of a bit each, all black but for some of the first.
 std::vector<std::uint8_t> largePng(std::uint8_t first) {
-  std::vector<std::uint8_t> png = encodePng({1, 1, {0, 0, 0, 255}});
-  png.resize(33);  // signature and header
-  for (const std::size_t side : {18u, 22u}) {
-    png[side] = 0x20;
-    png[side + 1] = 0;
-  }
-  png[24] = 1;  // bit
-  png[25] = 0;  // grey
   std::vector<std::uint8_t> rows(std::size_t{8192} * (1 + 8192 / 8), 0);
   rows[1] = first;
-  uLongf length = compressBound(rows.size());
-  std::vector<std::uint8_t> data(length);
-  compress2(data.data(), &length, rows.data(), rows.size(), 9);
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    png.push_back(static_cast<std::uint8_t>(length >> shift));
-  }
-  for (const char c : {'I', 'D', 'A', 'T'}) png.push_back(static_cast<std::uint8_t>(c));
-  png.insert(png.end(), data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
-  png.insert(png.end(), {0, 0, 0, 0, 0, 0, 0, 0, 'I', 'E', 'N', 'D', 0, 0, 0, 0});
-  return png;
+  return pngByHand(8192, 1, 0, rows);
 }
 
 TEST_F(ObjReader, LeavesOutPicturesOfFarMorePixelsThanBytes) {
