@@ -15,6 +15,7 @@
 #include "app/help_format.h"
 #include "app/interruption.h"
 #include "app/memory_option.h"
+#include "app/path_within.h"
 #include "app/play_images.h"
 #include "app/play_options.h"
 #include "app/progress.h"
@@ -66,11 +67,7 @@ FolderKind reportFolder() {
 /// `folder` as seen from the report, for the page's pictures.
 std::string relativeTo(const std::string& report, const std::string& folder) {
   if (folder.empty() || report.empty()) return {};
-  std::error_code error;
-  const auto real = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-  };
-  return real(folder).lexically_relative(real(report)).string();
+  return pathWithin(report, folder).string();
 }
 
 /// What was chosen besides the methods, the size, the threads and the field of view.

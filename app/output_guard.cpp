@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "app/path_within.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -16,10 +17,7 @@ bool isPartOf(const std::string& folder, const std::string& output) {
   static const std::set<std::string> parts = {
       "house.json", "geometry.glb", "cells.grid",  "images",  // of a house
       "unfinished", "frames.csv",   "summary.json"};          // and of a report
-  std::error_code error;
-  const fs::path within =
-      fs::weakly_canonical(fs::absolute(output, error), error)
-          .lexically_relative(fs::weakly_canonical(fs::absolute(folder, error), error));
+  const fs::path within = pathWithin(folder, output);
   return !within.empty() && parts.contains(within.begin()->string());
 }
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <limits>
 #include <memory>
 
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/jpeg_tables.h"
+#include "scene/png_chunks.h"
 #include "scene/png_inflation.h"
 
 namespace enfilade {
@@ -52,17 +52,9 @@ void requireSize(int width, int height, const std::string& subject) {
 /// Throws if a chunk of a PNG says that it is longer than what is left: the decoder would ask for
 /// all of that at once.
 void requireWholeChunks(std::span<const std::uint8_t> bytes, const std::string& subject) {
-  constexpr std::size_t kSignature = 8, kHead = 8, kChecksum = 4;
-  bytes = bytes.subspan(kSignature);
-  while (bytes.size() >= kHead) {
-    const std::size_t length = std::size_t{bytes[0]} << 24 | std::size_t{bytes[1]} << 16 |
-                               std::size_t{bytes[2]} << 8 | std::size_t{bytes[3]};
-    if (std::memcmp(&bytes[4], "IEND", 4) == 0) return;
-    if (length > bytes.size() - kHead) {
-      fail(subject, "cannot be decoded: it is cut short, or damaged");
-    }
-    bytes = bytes.subspan(std::min(kHead + length + kChecksum, bytes.size()));
-  }
+  const auto pass = [](const char*, std::span<const std::uint8_t>) { return true; };
+  if (!forEachPngChunk(bytes, pass))
+    fail(subject, "cannot be decoded: it is cut short, or damaged");
 }
 
 /// Throws unless a picture of this size may be decoded and can be in `bytes`.

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 
+#include "scene/png_chunks.h"
+
 namespace enfilade {
 namespace {
 
@@ -13,22 +15,6 @@ using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::size_t kMostOfAByte = 1032;                 // that deflate makes
 constexpr std::size_t kHarmless = std::size_t{256} << 20;  // [bytes]
-
-/// Calls `take` for each chunk (type, content) up to the end, until it returns false.
-template <typename Take>
-void forEachChunk(Bytes png, Take&& take) {
-  constexpr std::size_t kSignature = 8, kHead = 8, kChecksum = 4;
-  if (png.size() < kSignature) return;
-  Bytes rest = png.subspan(kSignature);
-  while (rest.size() >= kHead) {
-    const std::size_t length = std::size_t{rest[0]} << 24 | std::size_t{rest[1]} << 16 |
-                               std::size_t{rest[2]} << 8 | std::size_t{rest[3]};
-    const auto* type = reinterpret_cast<const char*>(&rest[4]);
-    if (length > rest.size() - kHead || std::memcmp(type, "IEND", 4) == 0) return;
-    if (!take(type, rest.subspan(kHead, length))) return;
-    rest = rest.subspan(std::min(kHead + length + kChecksum, rest.size()));
-  }
-}
 
 bool isData(const char* type) { return std::memcmp(type, "IDAT", 4) == 0; }
 
@@ -74,7 +60,7 @@ class Counter {
 PngInflation inflatePng(Bytes png, std::size_t most) {
   std::size_t bytes = 0;
   bool has_header = true;
-  forEachChunk(png, [&](const char* type, Bytes content) {
+  forEachPngChunk(png, [&](const char* type, Bytes content) {
     if (isData(type)) bytes += content.size();
     if (std::memcmp(type, "CgBI", 4) == 0) has_header = false;  // Apple's own PNGs have none
     return true;
@@ -82,7 +68,7 @@ PngInflation inflatePng(Bytes png, std::size_t most) {
   if (bytes <= std::max(kHarmless, most) / kMostOfAByte) return PngInflation::kFits;
   Counter counter(most);
   std::size_t header = has_header ? 2 : 0;  // decoders do not agree on what is wrong with one
-  forEachChunk(png, [&](const char* type, Bytes content) {
+  forEachPngChunk(png, [&](const char* type, Bytes content) {
     if (!isData(type)) return true;
     const std::size_t skipped = std::min(header, content.size());
     header -= skipped;
