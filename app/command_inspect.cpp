@@ -109,17 +109,20 @@ void addInspectCommand(CLI::App& program, CommandContext& context) {
       ->add_option("--plan", options->plan,
                    "Draw the floor plan of a house, storey by storey: cells coloured and named, "
                    "portals marked")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.svg")
+      ->check(notEmpty());
   command
       ->add_option("--cells", options->cells,
                    "Write the cells and portals of a house as a model, to look at in any viewer")
-      ->type_name("FILE.glb");
+      ->type_name("FILE.glb")
+      ->check(notEmpty());
   CLI::Option* layers =
       command
           ->add_option("--layers", options->layers,
                        "Write the layers of a portal's layered depth image as FOLDER/layer-1.png, "
                        "the nearest, and so on, and print the samples in each")
-          ->type_name("FOLDER");
+          ->type_name("FOLDER")
+          ->check(notEmpty());
   command
       ->add_option("--portal", options->portal,
                    "Whose layers to write; without it the portal with the most samples")

@@ -21,6 +21,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/report_facts.h"
+#include "app/report_folder.h"
 #include "app/staged_folder.h"
 #include "app/walk.h"
 #include "app/warping.h"
@@ -55,13 +56,6 @@ void moveAskedDoors(const PlayOptions& options, House& house) {
   };
   move(options.open, true, "--open");
   move(options.shut, false, "--shut");
-}
-
-FolderKind reportFolder() {
-  const std::set<std::string> proof = {"frames.csv", "summary.json", "report.html"};
-  FolderKind kind{proof, proof};
-  kind.own.insert({kContactSheetFile, kPicturesFolder});
-  return kind;
 }
 
 /// `folder` as seen from the report, for the page's pictures.

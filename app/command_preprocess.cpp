@@ -9,6 +9,7 @@
 #include "app/preprocess_run.h"
 #include "ibr/capture_plan.h"
 #include "preprocess/preprocess.h"
+#include "scene/error.h"
 
 namespace enfilade {
 
@@ -50,8 +51,11 @@ void runPreprocess(const PreprocessOptions& options, bool quiet) {
                   static_cast<double>(result.image_bytes) / 1e6, seconds));
 }
 
-std::map<std::string, LdiMaking> ldiMakingNames() {
-  return {{"warp", LdiMaking::kWarp}, {"raycast", LdiMaking::kRayCast}};
+/// Throws Error (kUsage).
+LdiMaking ldiMaking(const std::string& name) {
+  if (name == "warp") return LdiMaking::kWarp;
+  if (name == "raycast") return LdiMaking::kRayCast;
+  throw Error(ErrorKind::kUsage, "--ldi " + name, "no such way; there are: warp, raycast");
 }
 
 /// One option of `group`; the default and the limits show in its help.
@@ -94,6 +98,7 @@ void addCellOptions(CLI::App& command, PreprocessParameters& parameters) {
                   "Take the cells and portals of a house.json, edited or not, as given; and its "
                   "--doors and --windows where they are not named here")
       ->type_name("house.json")
+      ->check(notEmpty())
       ->excludes(automatic)
       ->excludes(named_only)
       ->group(kGroup);
@@ -138,11 +143,11 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
       ->capture_default_str()
       ->group(kGroup);
   command
-      .add_option("--ldi", image.ldi,
-                  "How a layered depth image is made: warp captures into one, or raycast, which "
-                  "keeps what rays of the central view meet and some viewpoint sees")
+      .add_option_function<std::string>(
+          "--ldi", [&image](const std::string& name) { image.ldi = ldiMaking(name); },
+          "How a layered depth image is made: warp captures into one, or raycast, which "
+          "keeps what rays of the central view meet and some viewpoint sees")
       ->type_name("HOW")
-      ->transform(CLI::CheckedTransformer(ldiMakingNames(), CLI::ignore_case).description(""))
       ->default_str("warp")
       ->group(kGroup);
   addNumber(command, kGroup, "--textures-per-portal", image.textures,

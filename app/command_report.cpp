@@ -82,18 +82,21 @@ void addReportCommand(CLI::App& program, CommandContext& context) {
   command
       ->add_option("-o,--output", options->output,
                    "Write a page that shows the runs side by side and opens offline")
-      ->type_name("FILE.html");
+      ->type_name("FILE.html")
+      ->check(notEmpty());
   command->add_flag("--json", options->json, "Print the figures as JSON");
   command
       ->add_option("--mangohud", options->mangohud,
                    "Write the frame times as logs of MangoHud, FOLDER/REPORT-METHOD.csv, for "
                    "mangoplot, FlightlessMango and the like")
       ->type_name("FOLDER")
+      ->check(notEmpty())
       ->group("Logs for other viewers");
   command
       ->add_option("--presentmon", options->presentmon,
                    "Write them as captures of PresentMon, for CapFrameX and the like")
       ->type_name("FOLDER")
+      ->check(notEmpty())
       ->group("Logs for other viewers");
   command->callback([options, &context] { context.run = [options] { runReport(*options); }; });
 }

@@ -13,12 +13,15 @@
 #include "app/progress.h"
 #include "models/samples.h"
 #include "preprocess/bake_light.h"
+#include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/gltf_writer.h"
 
 namespace enfilade {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 struct SampleOptions {
   std::string name;
@@ -28,24 +31,40 @@ struct SampleOptions {
   std::optional<bool> bake_light;  ///< none: as the plan says
 };
 
-/// The credits of what the building is made of, a line each, beside it; nothing if it owes none.
-void writeCredits(const std::string& model_file, const std::string& copyright) {
-  if (copyright.find("; ") == std::string::npos) return;
+/// The credits of what the building is made of, a line each; empty if it owes none.
+std::string creditsOf(const std::string& copyright) {
   std::string text;
+  if (copyright.find("; ") == std::string::npos) return text;
   for (std::size_t at = 0; at < copyright.size();) {
     const std::size_t end = std::min(copyright.find("; ", at), copyright.size());
     text += copyright.substr(at, end - at) + "\n";
     at = end + 2;
   }
-  const std::filesystem::path model(model_file);
-  const auto file = model.parent_path() / (model.stem().string() + ".credits.txt");
-  writeFileAtomically(file.string(), text);
+  return text;
+}
+
+/// Where they stand: beside the model.
+std::string creditsFile(const std::string& model_file) {
+  const fs::path model(model_file);
+  return (model.parent_path() / (model.stem().string() + ".credits.txt")).string();
+}
+
+/// Throws Error (kUsage) if a file of that name is there, but not the model that it would be of.
+void refuseForeignCredits(const std::string& model_file) {
+  std::error_code ignored;
+  const std::string file = creditsFile(model_file);
+  if (!fs::exists(file, ignored) || fs::exists(model_file, ignored)) return;
+  throw Error(ErrorKind::kUsage, file,
+              "is there already, and would be replaced by the credits of what is in " + model_file +
+                  "; name another file to write");
 }
 
 void runSample(const SampleOptions& options, bool quiet) {
   refuseToReplace(options.output, options.name);
   const bool lit = options.bake_light.value_or(wantsBakedLight(options.name));
   Building building = raiseSample(options.name, options.triangles, options.furniture, lit);
+  const std::string credits = creditsOf(building.copyright);
+  if (!credits.empty()) refuseForeignCredits(options.output);
   if (lit) {
     LightParameters light;
     light.longest_edge = 0;  // split already, within the number of triangles
@@ -53,7 +72,7 @@ void runSample(const SampleOptions& options, bool quiet) {
     bakeNamedLight(building, light, progress.sink());
   }
   writeGlb(options.output, building);
-  writeCredits(options.output, building.copyright);
+  if (!credits.empty()) writeFileAtomically(creditsFile(options.output), credits);
   printNote(quiet, fmt::format("{}: {} triangles, {} objects", options.output,
                                triangleCount(building), building.objects.size()));
 }
@@ -79,6 +98,7 @@ void addSampleCommand(CLI::App& program, CommandContext& context) {
       ->add_option("--furniture", options->furniture,
                    "Where Sweet Home 3D's catalogues (.sh3f) are, for plans with furniture")
       ->type_name("FOLDER")
+      ->check(notEmpty())
       ->capture_default_str();
   command
       ->add_option(

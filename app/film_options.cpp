@@ -11,6 +11,7 @@ void addFilmOptions(CLI::App& command, FilmParameters& film) {
                   "Make a film of the walk by ffmpeg (apt-get install ffmpeg): .mp4, .mkv or "
                   ".webm; several methods stand side by side, more than three in two rows")
       ->type_name("FILE")
+      ->check(notEmpty())
       ->group(kGroup);
   command
       .add_option("--fps", film.frames_per_second,

@@ -111,4 +111,11 @@ CLI::Validator limits(double least, double most) {
   return {check, ""};
 }
 
+CLI::Validator notEmpty() {
+  const auto check = [](std::string& name) -> std::string {
+    return name.empty() ? "the name is empty" : "";
+  };
+  return {check, ""};
+}
+
 }  // namespace enfilade

@@ -20,4 +20,7 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
 /// Refuses what is no number from `least` to `most`.
 CLI::Validator limits(double least, double most);
 
+/// Refuses the empty name of a file or folder, as of a variable of the shell that is not set.
+CLI::Validator notEmpty();
+
 }  // namespace enfilade

@@ -1,9 +1,10 @@
 #include "app/output_guard.h"
 
 #include <filesystem>
-#include <set>
 
 #include "app/path_within.h"
+#include "app/report_folder.h"
+#include "preprocess/house_folder.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -14,11 +15,10 @@ namespace fs = std::filesystem;
 
 /// Whether `output` is, or lies in, what stands in a house or report of that name.
 bool isPartOf(const std::string& folder, const std::string& output) {
-  static const std::set<std::string> parts = {
-      "house.json", "geometry.glb", "cells.grid",  "images",  // of a house
-      "unfinished", "frames.csv",   "summary.json"};          // and of a report
   const fs::path within = pathWithin(folder, output);
-  return !within.empty() && parts.contains(within.begin()->string());
+  if (within.empty()) return false;
+  const std::string first = within.begin()->string();
+  return houseEntries().contains(first) || reportFolder().own.contains(first);
 }
 
 }  // namespace

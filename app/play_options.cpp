@@ -18,7 +18,8 @@ void addWalkOptions(CLI::App& command, PlayOptions& options) {
       .add_option("--tour", options.tour,
                   "The path: our JSON, TUM, or a glTF whose camera moves; without it the house's "
                   "own tour")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(notEmpty());
   command
       .add_option("--shut", options.shut,
                   "Doors to shut: their portals' numbers, names, "
@@ -75,6 +76,7 @@ void addPictureOptions(CLI::App& command, PlayOptions& options) {
       .add_option("--frames-dir", options.playback.frames_dir,
                   "Keep every frame as FOLDER/METHOD/frame-00000.png")
       ->type_name("FOLDER")
+      ->check(notEmpty())
       ->group("Pictures");
 }
 
@@ -88,7 +90,8 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
           "-o,--output", options.output,
           "The report folder to write: report.html, summary.json, frames.csv, pictures, and "
           "with --quality contact-sheet.png; required unless --video or --frames-dir is given")
-      ->type_name("REPORT");
+      ->type_name("REPORT")
+      ->check(notEmpty());
   addWalkOptions(command, options);
   addPictureOptions(command, options);
   addFilmOptions(command, options.film);

@@ -43,7 +43,7 @@ PortalImages::PortalImages(const House& house, const std::string& folder, const 
 }
 
 void PortalImages::requireMemory(const House& house, const std::string& folder,
-                                 const ImageKinds& kinds) const {
+                                 const ImageKinds& kinds, std::uint64_t machine) const {
   std::uint64_t bytes = 0;
   forEachSide(house, [&](PortalId id, bool from_front) {
     for (const ImageKind kind : kAllImageKinds) {
@@ -56,15 +56,15 @@ void PortalImages::requireMemory(const House& house, const std::string& folder,
       }
     }
   });
-  if (bytes <= machineMemory()) return;
+  if (bytes <= machine) return;
   throw Error(ErrorKind::kMachine, folder,
               fmt::format("its images take {} MiB of memory, and this machine has {}: limit them "
                           "by --memory",
-                          bytes >> 20, machineMemory() >> 20));
+                          bytes >> 20, machine >> 20));
 }
 
 void PortalImages::read(const House& house, const std::string& folder, const ImageKinds& kinds) {
-  requireMemory(house, folder, kinds);
+  requireMemory(house, folder, kinds, machineMemory());
   forEachSide(house, [&](PortalId id, bool from_front) {
     for (const ImageKind kind : kAllImageKinds) {
       if (kinds.has(kind))

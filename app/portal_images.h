@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ class PortalImages {
   /// Reads those of `kinds` too.  Throws as the constructor does.
   void read(const House& house, const std::string& folder, const ImageKinds& kinds);
 
+  /// Throws Error (kMachine) if those of `kinds` would take more than `machine` bytes of memory.
+  void requireMemory(const House& house, const std::string& folder, const ImageKinds& kinds,
+                     std::uint64_t machine) const;
+
   /// A side without images if there is none such.
   const SideImages& side(PortalId portal, bool from_front) const noexcept;
   /// The portal must be one of the house's.
@@ -31,8 +36,6 @@ class PortalImages {
   std::size_t count() const noexcept;                ///< all images
 
  private:
-  void requireMemory(const House& house, const std::string& folder, const ImageKinds& kinds) const;
-
   std::vector<SideImages> sides_;  ///< index 2 · portal + (from_front ? 0 : 1)
 };
 

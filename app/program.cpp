@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 #include "app/commands.h"
@@ -99,7 +100,9 @@ int runProgram(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {
-    program.exit(asked_for_help);
+    std::ostringstream text;
+    program.exit(asked_for_help, text, text);
+    printResult(text.str());
     return 0;
   } catch (const CLI::ParseError& error) {
     rethrowAsUsage(program, error);

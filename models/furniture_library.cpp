@@ -118,12 +118,15 @@ glm::dmat4 standing(const FurnitureEntry& entry, const Building& model) {
 }  // namespace
 
 FurnitureLibrary::FurnitureLibrary(const std::string& folder) {
-  std::error_code ignored;
+  std::error_code error;
   std::vector<std::string> files;
-  for (const auto& file : fs::directory_iterator(folder, ignored)) {
+  for (const auto& file : fs::directory_iterator(folder, error)) {
     if (file.path().extension() == ".sh3f") files.push_back(file.path().string());
   }
   std::sort(files.begin(), files.end());
+  if (error && error != std::errc::no_such_file_or_directory) {
+    throw Error(ErrorKind::kMachine, folder, "cannot be read: " + error.message());
+  }
   if (files.empty()) {
     throw Error(ErrorKind::kMachine, folder,
                 "holds no furniture catalogues (.sh3f); Debian's package sweethome3d-furniture "

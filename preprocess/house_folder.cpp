@@ -73,6 +73,9 @@ HouseFolder::HouseFolder(const std::string& folder) : folder_(folder) {
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
     throw Error(ErrorKind::kUsage, folder, "is a file; a house is a folder");
   }
+  if (fs::is_symlink(fs::symlink_status(folder, error)) && !fs::exists(folder, error)) {
+    throw Error(ErrorKind::kUsage, folder, "is a symbolic link to nothing");
+  }
   for (int turn = 0; !lock_ || !lock_->holds(folder); ++turn) {
     // Again, if a run that ends has just removed it.
     if (turn == kMostTurns) throw Error(ErrorKind::kMachine, folder, "cannot be created");

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 
 #include "portals/house_json.h"
 #include "preprocess/bake_images.h"
 #include "preprocess/house_folder.h"
+#include "preprocess/house_swap.h"
 #include "preprocess/side_folder.h"
 #include "scene/durable.h"
 #include "scene/error.h"
@@ -18,8 +18,6 @@ namespace enfilade {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array<const char*, 3> kMovedParts = {"cells.grid", "geometry.glb", "images"};
 
 std::string jobFile(const std::string& path) { return path + "/job.json"; }
 std::string finishedFile(const std::string& path) { return path + "/finished.json"; }
@@ -35,27 +33,12 @@ bool exists(const std::string& path) {
   return fs::exists(path, ignored);
 }
 
-void require(const std::error_code& error, const std::string& path) {
-  if (error) throw Error(ErrorKind::kMachine, path, "cannot be replaced: " + error.message());
-}
-
 void removeAll(const fs::path& path) {
   std::error_code error;
   fs::remove_all(path, error);
-  require(error, path.string());
-}
-
-/// Moves a part of a house in the place of an older one, unless that has been done.
-void moveInto(const fs::path& to, const fs::path& from) {
-  if (!exists(from.string())) return;
-  removeAll(to);
-  std::error_code error;
-  if (fs::is_directory(from) && fs::is_empty(from)) {
-    fs::remove(from, error);  // a house without images has no folder for them
-  } else {
-    fs::rename(from, to, error);
+  if (error) {
+    throw Error(ErrorKind::kMachine, path.string(), "cannot be removed: " + error.message());
   }
-  require(error, to.string());
 }
 
 /// Throws Error (kBadInput).
@@ -96,7 +79,7 @@ bool UnfinishedHouse::isOfThisJob() const {
 std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std::string&)>& note) {
   if (!exists(path_)) return std::nullopt;
   refuseOtherThings(path_, {"job.json", "cells.grid", "geometry.glb", "house.json", "images",
-                            "sides", "finished.json"});
+                            "sides", "finished.json", "replaced"});
   ours_ = true;
   std::string why;
   try {
@@ -107,6 +90,7 @@ std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std:
     why = error.what();
   }
   if (note && !why.empty()) note(fmt::format("{}: cannot be gone on with: {}", path_, why));
+  unswapHouse(house_folder_, path_);  // an older house that was on its way out
   removeAll(path_);
   return std::nullopt;
 }
@@ -158,11 +142,7 @@ void UnfinishedHouse::finish(const House& house) {
 }
 
 void UnfinishedHouse::moveIntoPlace() {
-  removeAll(houseJsonFile(house_folder_));  // from here on it is no house
-  for (const char* part : kMovedParts) {
-    moveInto(fs::path(house_folder_) / part, fs::path(path_) / part);
-  }
-  moveInto(houseJsonFile(house_folder_), finishedFile(path_));
+  swapHouse(house_folder_, path_);
   for (const auto& entry : fs::directory_iterator(house_folder_)) {
     if (isHalfWritten(entry, houseEntries())) removeAll(entry.path());
   }
@@ -171,6 +151,7 @@ void UnfinishedHouse::moveIntoPlace() {
 }
 
 void UnfinishedHouse::tidyUp() {
+  removeAll(replacedFolder(path_));
   removeAll(jobFile(path_));  // first: without it nobody goes on
   removeAll(path_);
 }

@@ -17,6 +17,7 @@ namespace enfilade {
 ///     images/portal-PPPP-front, -back       the portal sides, see SideFolder
 ///     sides/portal-PPPP-front, -back        records of those that are finished
 ///     finished.json                         the house.json to be: all is there but the moving
+///     replaced/                             the older house, while the new one is moved
 ///
 /// Nothing stands under its name before it is whole, so that it can be gone on with whenever it was
 /// stopped.

@@ -101,9 +101,13 @@ void checkShape(const std::string& file, const json& root) {
       !(*asset)["version"].is_string()) {
     fail(file, "is JSON but not glTF: asset.version is missing");
   }
-  const std::string version = (*asset)["version"];
-  if (!version.starts_with("2.")) {
-    fail(file, fmt::format("is glTF {}; version 2.0 is needed", oneLine(version, 20)));
+  // A minimum is given by a file that must not be read as what its version says.
+  const auto least = asset->find("minVersion");
+  const bool has_least = least != asset->end() && least->is_string();
+  const std::string version = (*asset)["version"], needed = has_least ? *least : "2.0";
+  if (!version.starts_with("2.") || needed != "2.0") {
+    fail(file, fmt::format("is glTF {}; version 2.0 is needed",
+                           oneLine(has_least ? needed : version, 20)));
   }
   for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
                           "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures",

@@ -31,7 +31,8 @@ class Pictures {
   std::uint32_t read(const std::string& name) {
     auto bytes = resources_(name);
     if (!bytes) {
-      warnings_.add("picture left out, it is not there", "\"" + oneLine(name) + "\"");
+      warnings_.add("picture left out, it cannot be read from the model's folder",
+                    "\"" + oneLine(name) + "\"");
       return kNone;
     }
     // The same file may have many names.

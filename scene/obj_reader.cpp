@@ -84,7 +84,8 @@ class LibraryReader : public tinyobj::MaterialReader {
       std::istringstream names(line);
       for (std::string name; names >> name;) {
         if (read(name)) continue;
-        warnings_.add("material library left out, it is not there", "\"" + oneLine(name) + "\"");
+        warnings_.add("material library left out, it cannot be read from the model's folder",
+                      "\"" + oneLine(name) + "\"");
       }
     }
     return true;

@@ -157,6 +157,14 @@ TEST_F(BadInput, AnOutputFolderThatHoldsSomethingElse) {
   EXPECT_EQ(here_.tree(), before_);
 }
 
+TEST_F(BadInput, AnOutputFolderThatIsALinkToNothing) {
+  std::filesystem::create_directory_symlink("nowhere", here_ / "new");
+  before_.push_back(here_ / "new");
+  std::sort(before_.begin(), before_.end());
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "-q"}, 1,
+                "new: is a symbolic link to nothing");
+}
+
 TEST_F(BadInput, AReportThatIsNone) {
   expectRefusal({"report"}, 1, "REPORT is required");
   expectRefusal({"report", "missing"}, 2, "missing: no such file");
@@ -182,6 +190,22 @@ TEST_F(BadInput, ASizeThatIsNone) {
   for (const char* size : {"640", "640x", "0x0", "640x512x2", "99999x10", "axb"}) {
     expectRefusal({"play", "house", "-o", "new", "--size", size}, 1, "no size; write WIDTHxHEIGHT");
   }
+}
+
+TEST_F(BadInput, ANameThatIsEmpty) {
+  const auto refuse = [&](Arguments arguments, const char* option) {
+    arguments.insert(arguments.end(), {option, ""});
+    expectRefusal(arguments, 1, std::string(option) + ": the name is empty");
+  };
+  for (const char* option : {"--plan", "--cells", "--layers"}) refuse({"inspect", "house"}, option);
+  for (const char* option : {"--output", "--tour", "--video", "--frames-dir"}) {
+    refuse({"play", "house"}, option);
+  }
+  for (const char* option : {"--output", "--mangohud", "--presentmon"}) {
+    refuse({"report", "house", "house"}, option);
+  }
+  refuse({"preprocess", "model.glb", "-o", "new"}, "--graph");
+  refuse({"sample", "gallery", "-o", "new.glb"}, "--furniture");
 }
 
 TEST_F(BadInput, AWayOfWarpingThatThereIsNot) {
@@ -211,6 +235,10 @@ TEST_F(BadInput, AGraphThatThereIsNotOrThatWouldBeReplaced) {
 TEST_F(BadInput, ASampleThatThereIsNot) {
   expectRefusal({"sample", "palace", "-o", "new.glb"}, 1, "gallery");
   expectRefusal({"sample", "gallery", "-o", "new.glb", "--triangles", "7"}, 1, "7 is not from");
+  expectRefusal({"sample", "haunted", "-o", "new.glb", "--furniture", "table.csv"}, 3,
+                "table.csv: cannot be read: Not a directory");
+  expectRefusal({"sample", "haunted", "-o", "new.glb", "--furniture", "folder"}, 3,
+                "folder: holds no furniture catalogues");
 }
 
 TEST_F(BadInput, APlanOfAModel) {
@@ -232,7 +260,8 @@ TEST_F(BadInput, APlanOfCapturesThatIsNone) {
     arguments.emplace_back(plan);
     expectRefusal(arguments, 1, "such as ring:13,ring:6@-0.5/62.5");
   }
-  expectRefusal({"preprocess", "model.glb", "-o", "new", "--ldi", "magic"}, 1, "magic");
+  expectRefusal({"preprocess", "model.glb", "-o", "new", "--ldi", "magic"}, 1,
+                "--ldi magic: no such way; there are: warp, raycast");
 }
 
 }  // namespace

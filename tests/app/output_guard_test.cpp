@@ -32,6 +32,7 @@ TEST(OutputGuard, RefusesTheInputAndWhatIsReadOfAFolder) {
   EXPECT_TRUE(isRefused(here / "link/cells.grid", here / "house"));
   EXPECT_TRUE(isRefused(here / "house/images/portal-0000-front", here / "link"));
   EXPECT_TRUE(isRefused(here / "house/x/../frames.csv", here / "house"));
+  EXPECT_TRUE(isRefused(here / "house/report.html", here / "house"));
 }
 
 TEST(OutputGuard, AllowsWhatIsNotRead) {

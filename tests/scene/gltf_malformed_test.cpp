@@ -79,6 +79,15 @@ TEST_F(MalformedGltf, OlderVersionOfGltf) {
   expectBad("is glTF 1.0; version 2.0 is needed");
 }
 
+TEST_F(MalformedGltf, OneThatNeedsANewerVersion) {
+  triangle();
+  builder_.root["asset"]["minVersion"] = "2.0";
+  EXPECT_EQ(triangleCount(readGltf(folder_.file("model.glb", builder_.glb()))), 1u);
+  builder_.root["asset"]["version"] = "2.1";
+  builder_.root["asset"]["minVersion"] = "2.1";
+  expectBad("is glTF 2.1; version 2.0 is needed");
+}
+
 TEST_F(MalformedGltf, RequiredExtensionsThatWeLackAreNamed) {
   triangle();
   builder_.root["extensionsRequired"] = {"KHR_texture_transform", "KHR_draco_mesh_compression",
