@@ -15,6 +15,7 @@
 #include "app/help_format.h"
 #include "app/interruption.h"
 #include "app/memory_option.h"
+#include "app/output_guard.h"
 #include "app/path_within.h"
 #include "app/play_images.h"
 #include "app/play_options.h"
@@ -158,16 +159,13 @@ void keepPictures(const std::string& report, std::size_t frames, const Warping& 
                               warping.holes == Holes::kPersist;
 }
 
-void runPlay(PlayOptions options, const CommandContext& context) {
-  options.playback.methods = parseMethods(options.methods);
-  requireSomeOutput(options);
+/// Plays, with the report's folder if one is asked for.
+void playInto(std::optional<StagedFolder>& folder, PlayOptions options,
+              const CommandContext& context) {
   const glm::ivec2 size = parseFrameSize(options.size);
   const ImageSource source = parseImageSource(options.images);
   const std::optional<std::size_t> most_bytes = memoryLimit(options.memory_mib, source);
   const Warping warping = parseWarping(options.warping);
-  const Interruption interruption;
-  std::optional<StagedFolder> folder;
-  if (!options.output.empty()) folder.emplace(options.output, reportFolder());
   std::optional<Film> film = filmFor(options, folder, size);
   House house = readHouse(options.house);
   moveAskedDoors(options, house);
@@ -208,6 +206,24 @@ void runPlay(PlayOptions options, const CommandContext& context) {
   if (folder) writeReport(report, *folder);
   printResult(reportTable(report) + (film ? film->description() : "") +
               (folder ? "report: " + options.output + "/report.html\n" : ""));
+}
+
+void runPlay(PlayOptions options, const CommandContext& context) {
+  options.playback.methods = parseMethods(options.methods);
+  requireSomeOutput(options);
+  for (const std::string& output :
+       {options.output, options.film.file, options.playback.frames_dir}) {
+    refuseToReplace(output, options.house);
+  }
+  const Interruption interruption;
+  std::optional<StagedFolder> folder;
+  if (!options.output.empty()) folder.emplace(options.output, reportFolder());
+  try {
+    playInto(folder, options, context);
+  } catch (const Error& error) {
+    if (!folder) throw;
+    throw Error(error.kind(), "", folder->asCommitted(error.what()));
+  }
 }
 
 std::string methodsHelp() {

@@ -16,6 +16,7 @@
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/gltf_writer.h"
+#include "scene/printable.h"
 
 namespace enfilade {
 
@@ -37,7 +38,7 @@ std::string creditsOf(const std::string& copyright) {
   if (copyright.find("; ") == std::string::npos) return text;
   for (std::size_t at = 0; at < copyright.size();) {
     const std::size_t end = std::min(copyright.find("; ", at), copyright.size());
-    text += copyright.substr(at, end - at) + "\n";
+    text += printable(copyright.substr(at, end - at)) + "\n";
     at = end + 2;
   }
   return text;

@@ -10,10 +10,13 @@
 #include "app/console.h"
 #include "app/frame_size.h"
 #include "app/help_format.h"
+#include "app/interruption.h"
 #include "app/memory_option.h"
+#include "app/program.h"
 #include "app/user_settings.h"
 #include "app/view/actions.h"
 #include "app/view/loading.h"
+#include "render/lost_display.h"
 #include "scene/error.h"
 
 namespace enfilade {
@@ -81,6 +84,11 @@ ViewOptions optionsOf(const ViewArguments& arguments, const CommandContext& cont
   return options;
 }
 
+/// A walk that is being recorded when the window closes is kept.
+void sayWhatWasRecorded(Viewer& viewer) {
+  if (const auto kept = viewer.keepRecording()) printNote(false, *kept);
+}
+
 void runView(const ViewArguments& arguments, const CommandContext& context) {
   const ViewOptions options = optionsOf(arguments, context);
   if (!isHouse(options.house))
@@ -95,13 +103,21 @@ void runView(const ViewArguments& arguments, const CommandContext& context) {
                      .size = {settings.width, settings.height},
                      .full_screen = settings.fullscreen,
                      .threads = options.threads});
+  onLostDisplay([] { printError("window: the display is gone"); });
   const std::unique_ptr<WalkableHouse> walkable = loadBehindWindow(window, options);
   if (!walkable) return;
   Viewer viewer(window, *walkable, options);
   window.setTitle("Enfilade: " + std::filesystem::path(options.house).filename().string());
+  const Interruption interruption;
+  onLostDisplay([&] {
+    printError("window: the display is gone");
+    sayWhatWasRecorded(viewer);
+  });
   viewer.run();
+  sayWhatWasRecorded(viewer);
   const std::string note = writeViewSettings(viewSettingsFile(), viewer.settings());
   if (!note.empty()) printNote(context.quiet, note);
+  Interruption::throwIfAsked();
 }
 
 std::string keysHelp() {

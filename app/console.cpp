@@ -4,20 +4,23 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/interruption.h"
 #include "scene/error.h"
+#include "scene/printable.h"
 
 namespace enfilade {
 
 void printResult(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {
+    if (errno == EPIPE) Interruption::throwIfAsked();
     throw Error(ErrorKind::kMachine, "standard output",
                 std::string("cannot be written: ") + std::strerror(errno));
   }
 }
 
 void printNote(bool quiet, const std::string& line) {
-  if (!quiet) std::fprintf(stderr, "%s\n", line.c_str());
+  if (!quiet) std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
 std::string shellLine(int argc, char** argv) {

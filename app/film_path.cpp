@@ -33,7 +33,7 @@ CameraPath filmPath(const CameraPath& path, int frames_per_second, const std::st
   const double steps = std::floor(seconds * frames_per_second + 1e-3);
   if (steps + 1 > kMostFrames) {
     throw Error(ErrorKind::kBadInput, file,
-                fmt::format("lasts {:.0f} s by the times of its poses: {:.0f} frames at {} a "
+                fmt::format("lasts {:.9g} s by the times of its poses: {:.9g} frames at {} a "
                             "second are too many for a film",
                             seconds, steps + 1, frames_per_second));
   }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/mesh_closure.h"
+#include "portals/open_doors.h"
 #include "scene/extent_doubts.h"
 
 namespace enfilade {
@@ -80,6 +81,9 @@ std::vector<std::string> houseProblems(const House& house) {
   }
   for (std::size_t p = 0; p < house.graph.portals.size(); ++p) {
     if (!house.graph.portals[p].active) problems.push_back(fmt::format("portal {} is shut", p));
+  }
+  for (const PortalId p : shutWithoutDoor(house)) {
+    problems.push_back(fmt::format("no door stands in portal {}: {}", p, kShutWithoutDoor));
   }
   return problems;
 }

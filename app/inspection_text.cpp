@@ -6,6 +6,7 @@
 #include "app/inspection.h"
 #include "app/portal_size.h"
 #include "portals/house_names.h"
+#include "scene/printable.h"
 
 namespace enfilade {
 
@@ -22,7 +23,7 @@ std::string grouped(std::size_t number) {
 
 std::string list(const char* title, const std::vector<std::string>& lines) {
   std::string text = fmt::format("{}\n", title);
-  for (const std::string& line : lines) text += "  " + line + "\n";
+  for (const std::string& line : lines) text += "  " + printable(line) + "\n";
   return lines.empty() ? std::string() : text;
 }
 
@@ -56,7 +57,7 @@ std::string kindsText(const BuildingFacts& facts) {
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   if (kinds.size() > 12) kinds.resize(12);
   std::string text;
-  for (const auto& [name, count] : kinds) text += fmt::format(", {} {}", count, name);
+  for (const auto& [name, count] : kinds) text += fmt::format(", {} {}", count, printable(name));
   return text.empty() ? text : "  nodes      " + text.substr(2) + "\n";
 }
 
@@ -67,7 +68,7 @@ std::string patternsFor(const BuildingFacts& facts, const std::string& word) {
     std::string lower = name;
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (lower.find(word) == std::string::npos || name.find('\'') != std::string::npos) continue;
-    patterns += fmt::format("{}{}*", patterns.empty() ? "" : ",", name);
+    patterns += fmt::format("{}{}*", patterns.empty() ? "" : ",", printable(name));
   }
   return patterns;
 }
@@ -91,8 +92,8 @@ std::string cellTable(const CellGraph& graph) {
         c == kExterior ? "" : graph.storeys[static_cast<std::size_t>(cell.storey)].name;
     const std::string area = c == kExterior ? "" : fmt::format("{:.1f}", cell.floor_area);
     const std::string volume = c == kExterior ? "" : fmt::format("{:.1f}", cell.volume);
-    text += fmt::format("  {:>4} {:<28} {:<14} {:>8} {:>10}  {}\n", c, cell.name, storey, area,
-                        volume, fmt::join(cell.portals, " "));
+    text += fmt::format("  {:>4} {:<28} {:<14} {:>8} {:>10}  {}\n", c, printable(cell.name),
+                        printable(storey), area, volume, fmt::join(cell.portals, " "));
   }
   return text;
 }
@@ -101,8 +102,9 @@ std::string portalTable(const CellGraph& graph) {
   std::vector<std::string> between;
   std::size_t widest = 7;
   for (const Portal& portal : graph.portals) {
-    between.push_back(fmt::format("{} | {}{}{}", graph.cells[portal.front].name,
-                                  graph.cells[portal.back].name, isLevel(portal) ? "  (level)" : "",
+    between.push_back(fmt::format("{} | {}{}{}", printable(graph.cells[portal.front].name),
+                                  printable(graph.cells[portal.back].name),
+                                  isLevel(portal) ? "  (level)" : "",
                                   portal.active ? "" : "  (shut)"));
     widest = std::max(widest, between.back().size());
   }
@@ -113,7 +115,7 @@ std::string portalTable(const CellGraph& graph) {
     const glm::vec2 size = portalSize(portal);
     text += fmt::format("  {:>4} {:<8} {:>13} {:>8.2f}  {:<{}}  {}\n", p, kindName(portal.kind),
                         fmt::format("{:.2f} x {:.2f}", size.x, size.y), portal.area(), between[p],
-                        widest, portal.name);
+                        widest, printable(portal.name));
   }
   return text;
 }
@@ -125,8 +127,9 @@ std::string modelText(const std::string& file, const Building& building,
   const BuildingFacts facts = describeBuilding(building);
   std::vector<std::string> problems = buildingProblems(facts);
   problems.insert(problems.begin(), warnings.begin(), warnings.end());
-  std::string text = fmt::format("{}: a model{}\n", file,
-                                 building.copyright.empty() ? "" : ", " + building.copyright);
+  std::string text =
+      fmt::format("{}: a model{}\n", file,
+                  building.copyright.empty() ? "" : ", " + printable(building.copyright));
   text += buildingText(facts);
   text +=
       fmt::format("  named      {} rooms, {} portals\n", facts.rooms_named, facts.portals_named);
@@ -136,8 +139,9 @@ std::string modelText(const std::string& file, const Building& building,
 
 std::string houseText(const std::string& folder, const House& house, const ImageCounts& images) {
   const CellGraph& graph = house.graph;
-  std::string text = fmt::format("{}: a house, made from {} by enfilade {}\n", folder,
-                                 house.info.model_name, house.info.tool_version);
+  std::string text =
+      fmt::format("{}: a house, made from {} by enfilade {}\n", folder,
+                  printable(house.info.model_name), printable(house.info.tool_version));
   text += buildingText(describeBuilding(house.building));
   text += fmt::format("  cells      {}, the exterior among them\n", graph.cells.size());
   text += fmt::format("  portals    {}, {} of their {} sides have images\n", graph.portals.size(),
@@ -148,7 +152,7 @@ std::string houseText(const std::string& folder, const House& house, const Image
                       house.switch_distance, house.eye_height);
   text += "storeys\n";
   for (std::size_t s = 0; s < graph.storeys.size(); ++s) {
-    text += fmt::format("  {:>4} {:<28} floor at {:.2f} m\n", s, graph.storeys[s].name,
+    text += fmt::format("  {:>4} {:<28} floor at {:.2f} m\n", s, printable(graph.storeys[s].name),
                         graph.storeys[s].floor_y);
   }
   text += cellTable(graph) + portalTable(graph);

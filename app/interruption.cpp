@@ -2,15 +2,13 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
-#include <csignal>
+
+#include "scene/file_io.h"
 
 namespace enfilade {
 
 namespace {
-
-constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
 // Set by a signal handler, read by any thread.
 std::atomic<int> signal_asked{0};
@@ -18,27 +16,30 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 void remember(int signal) { signal_asked = signal; }
 
+void tidyAndEnd(int signal) {
+  removeHalfWrittenFiles();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// Has `signal` handled unless it is ignored, as by nohup; what it did before goes to `before`.
+void handle(int signal, void (*handler)(int), struct sigaction& before) {
+  if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) return;
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: what blocks comes back
+  sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 Interruption::Interruption() {
   signal_asked = 0;
-  for (const int signal : kSignals) {
-    struct sigaction action {};
-    // What is ignored, as by nohup, stays so.
-    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
-    action = {};
-    action.sa_handler = &remember;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: what blocks comes back
-    sigaction(signal, &action, nullptr);
-  }
+  for (std::size_t i = 0; i < kSignals.size(); ++i) handle(kSignals[i], &remember, before_[i]);
 }
 
 Interruption::~Interruption() {
-  for (const int signal : kSignals) {
-    struct sigaction action {};
-    const bool ours = sigaction(signal, nullptr, &action) == 0 && action.sa_handler == &remember;
-    if (ours) std::signal(signal, SIG_DFL);
-  }
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
 }
 
 std::optional<Interrupted> Interruption::asked() {
@@ -48,6 +49,13 @@ std::optional<Interrupted> Interruption::asked() {
 
 void Interruption::throwIfAsked() {
   if (const auto interrupted = asked()) throw Interrupted{*interrupted};
+}
+
+void endTidily() {
+  for (const int signal : Interruption::kSignals) {
+    struct sigaction before {};
+    handle(signal, &tidyAndEnd, before);
+  }
 }
 
 void endBy(const Interrupted& interrupted) {

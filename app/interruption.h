@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <optional>
 
 namespace enfilade {
@@ -9,8 +11,9 @@ struct Interrupted {
   int signal = 0;
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but are remembered, so that
-/// throwIfAsked() can unwind and what is half written is removed.  The second one ends it.
+/// While it lives, the signals that end a program do not, but are remembered, so that
+/// throwIfAsked() can unwind and what is half written is removed.  The same once more ends it.
+/// One at a time.
 class Interruption {
  public:
   Interruption();
@@ -22,7 +25,16 @@ class Interruption {
   static std::optional<Interrupted> asked();
   /// Throws Interrupted if one came.
   static void throwIfAsked();
+
+ private:
+  static constexpr std::array<int, 5> kSignals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
+  friend void endTidily();
+
+  std::array<struct sigaction, kSignals.size()> before_{};
 };
+
+/// From now on the signals that end the program remove what is half written first.
+void endTidily();
 
 /// Ends the program as the signal would have.
 [[noreturn]] void endBy(const Interrupted& interrupted);

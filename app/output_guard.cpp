@@ -4,7 +4,7 @@
 
 #include "app/path_within.h"
 #include "app/report_folder.h"
-#include "preprocess/house_folder.h"
+#include "preprocess/house_entries.h"
 #include "scene/error.h"
 
 namespace enfilade {

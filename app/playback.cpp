@@ -1,5 +1,6 @@
 #include "app/playback.h"
 
+#include "app/frame_files.h"
 #include "scene/file_io.h"
 
 namespace enfilade {
@@ -33,6 +34,7 @@ Playback playBack(FramePainter& painter, const Walk& walk, const PlaybackParamet
   if (!parameters.frames_dir.empty()) {
     for (const Method method : parameters.methods) {
       createFolders(parameters.frames_dir + "/" + infoOf(method).name);
+      removeFramesFrom(walk.frames(), parameters.frames_dir, method);
     }
   }
   parameters.keeper.begin(parameters.methods);

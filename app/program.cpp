@@ -10,6 +10,7 @@
 #include "app/console.h"
 #include "app/help_format.h"
 #include "scene/error.h"
+#include "scene/printable.h"
 
 namespace enfilade {
 
@@ -61,7 +62,10 @@ void rejectExtras(const CLI::App& program) {
   rejectExtras(program);
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  throwUsage("", std::string(error.what()) + "; see 'enfilade" + name + " --help'");
+  const std::string what = error.what();
+  const std::size_t twice = what.find(": At Most 1 required but received ");
+  throwUsage("", (twice == std::string::npos ? what : what.substr(0, twice) + " is given twice") +
+                     "; see 'enfilade" + name + " --help'");
 }
 
 void addCommands(CLI::App& program, CommandContext& context) {
@@ -77,11 +81,7 @@ void addCommands(CLI::App& program, CommandContext& context) {
 }  // namespace
 
 void printError(const std::string& message) {
-  std::string line = "enfilade: " + message;
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  std::fprintf(stderr, "%s\n", line.c_str());
+  std::fprintf(stderr, "enfilade: %s\n", printable(message).c_str());
 }
 
 int runProgram(int argc, char** argv) {

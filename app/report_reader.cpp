@@ -9,6 +9,7 @@
 #include "scene/error.h"
 #include "scene/file_io.h"
 #include "scene/json_depth.h"
+#include "scene/printable.h"
 
 namespace enfilade {
 
@@ -16,25 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;  // [bytes]
 constexpr int kSchema = 1;
 
 std::string textOf(const std::string& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > kLargestFile) {
-    throw Error(ErrorKind::kBadInput, file, "is larger than 64 MiB, too large for a report");
-  }
-  const std::vector<std::uint8_t> bytes = readFile(file);
+  const std::vector<std::uint8_t> bytes = readFile(file, kMostTextBytes);
   return {bytes.begin(), bytes.end()};
-}
-
-/// Without what would move a terminal's cursor.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-  return text;
 }
 
 /// A summary.json, asked for what it says.

@@ -91,6 +91,11 @@ StagedFolder::~StagedFolder() {
   if (!committed_) fs::remove_all(temporary_, ignored);
 }
 
+std::string StagedFolder::asCommitted(std::string message) const {
+  const std::size_t at = committed_ ? std::string::npos : message.find(temporary_);
+  return at == std::string::npos ? message : message.replace(at, temporary_.size(), folder_);
+}
+
 void StagedFolder::commit() {
   std::error_code error;
   if (replaces_ && fs::exists(folder_, error)) {

@@ -27,6 +27,9 @@ class StagedFolder {
 
   const std::string& path() const noexcept { return temporary_; }  ///< where to write
 
+  /// `message` with the names that the files in the folder will have, for a person.
+  std::string asCommitted(std::string message) const;
+
   /// Puts the folder in its place.  Throws Error (kMachine): if something has appeared there that
   /// was not there at first, it and the new folder both stay.
   void commit();

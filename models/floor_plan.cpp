@@ -251,7 +251,9 @@ FloorPlan parseFloorPlan(const std::string& json_text, const std::string& subjec
   try {
     document = nlohmann::json::parse(json_text);
   } catch (const nlohmann::json::exception& e) {
-    throw Error(ErrorKind::kBadInput, subject, std::string("is not JSON: ") + e.what());
+    // "[json.exception.parse_error.101] parse error at line 1, column 9: …"
+    const std::string what = e.what();
+    throw Error(ErrorKind::kBadInput, subject, "is not JSON: " + what.substr(what.find(' ') + 1));
   }
   const JsonView json(document, subject);
   json.allowOnly({"enfilade", "version", "name", "copyright", "triangles", "bake_light", "storeys",

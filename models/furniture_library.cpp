@@ -37,7 +37,7 @@ class Properties {
     stream.imbue(std::locale::classic());
     std::vector<double> values;
     for (double value = 0; stream >> value;) values.push_back(value);
-    if (values.size() != count) {
+    if (values.size() != count || !stream.eof()) {
       throw Error(ErrorKind::kBadInput, file_,
                   fmt::format("{}{} is not {} numbers", key, suffix_, count));
     }

@@ -21,7 +21,7 @@ std::string knownNames() {
 }
 
 std::string textOfFile(const std::string& file) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
+  const std::vector<std::uint8_t> bytes = readFile(file, kMostTextBytes);
   return {bytes.begin(), bytes.end()};
 }
 

@@ -136,7 +136,7 @@ GivenGraph decodeGivenGraph(std::span<const std::uint8_t> bytes, const std::stri
 }
 
 GivenGraph readGivenGraph(const std::string& file) {
-  GivenGraph given = decodeGivenGraph(readFile(file), file);
+  GivenGraph given = decodeGivenGraph(readFile(file, kMostTextBytes), file);
   given.grid = readGridBeside(file);
   return given;
 }

@@ -37,6 +37,7 @@ void requireHouse(const std::string& folder) {
   std::error_code error;
   (void)std::filesystem::status(houseJsonFile(folder), error);
   if (error == std::errc::permission_denied) fail("cannot be read: " + error.message());
+  if (!error) fail("is not a house: its house.json is no file");
   fail("is not a house: it has no house.json");
 }
 
@@ -86,7 +87,7 @@ void writeHouse(const std::string& folder, const House& house) {
 House readHouse(const std::string& folder) {
   requireHouse(folder);
   House house;
-  const std::vector<std::uint8_t> text = readFile(houseJsonFile(folder));
+  const std::vector<std::uint8_t> text = readFile(houseJsonFile(folder), kMostTextBytes);
   decodeHouseJson(std::string(text.begin(), text.end()), houseJsonFile(folder), house);
   const std::string grid_file = cellGridFile(folder);
   house.grid = decodeGrid(readHouseFile(house, folder, kGrid), grid_file);

@@ -49,4 +49,14 @@ std::vector<std::uint8_t> closablePortals(const House& house) {
   return closable;
 }
 
+std::vector<PortalId> shutWithoutDoor(const House& house) {
+  std::vector<std::uint8_t> has_door(house.graph.portals.size());
+  for (const DoorLeaf& leaf : doorLeaves(house)) has_door[leaf.portal] = 1;
+  std::vector<PortalId> shut;
+  for (PortalId p = 0; p < house.graph.portals.size(); ++p) {
+    if (!house.graph.portals[p].active && !has_door[p]) shut.push_back(p);
+  }
+  return shut;
+}
+
 }  // namespace enfilade

@@ -28,4 +28,9 @@ std::vector<std::uint8_t> openDoors(const House& house, std::span<const DoorLeaf
 /// One flag a portal: whether it can be shut and opened, which takes a leaf, or that it is shut.
 std::vector<std::uint8_t> closablePortals(const House& house);
 
+/// The portals that are shut though no door stands in them: what is behind them is not drawn, and
+/// nothing hides that.
+std::vector<PortalId> shutWithoutDoor(const House& house);
+inline constexpr const char* kShutWithoutDoor = "shut, what is behind it is a hole in the picture";
+
 }  // namespace enfilade

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,15 +29,5 @@ class HouseFolder {
   std::vector<std::string> created_;  ///< outermost first
   std::optional<FolderLock> lock_;
 };
-
-/// The entries of the folder of a house.
-const std::set<std::string>& houseEntries();
-
-/// Throws Error (kUsage) if `folder` holds anything but `own` and what was half written of it, or
-/// if its images/ holds anything but folders of portal sides.
-void refuseOtherThings(const std::string& folder, const std::set<std::string>& own);
-
-/// Whether `entry` is a file of the name of one of `own` that was still being written.
-bool isHalfWritten(const std::filesystem::directory_entry& entry, const std::set<std::string>& own);
 
 }  // namespace enfilade

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "portals/leaf_cover.h"
+#include "portals/open_doors.h"
 #include "preprocess/bake_images.h"
 #include "preprocess/house_folder.h"
 #include "preprocess/make_house.h"
@@ -110,6 +111,12 @@ void makeIn(const HouseFolder& output, const std::string& model_file,
   }
   if (listener.note && house->graph.cells.size() == 1) {
     listener.note(fmt::format("note: {}", kNoRoom));
+  }
+  for (const PortalId p : shutWithoutDoor(*house)) {
+    if (listener.note) {
+      listener.note(fmt::format("note: no door stands in portal {} ({}): {}", p,
+                                house->graph.portals[p].name, kShutWithoutDoor));
+    }
   }
   result.house = std::move(*house);
   if (parameters.images) bake(parameters, work.path(), listener, stages, result);

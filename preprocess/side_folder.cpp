@@ -20,8 +20,12 @@ std::string folderOf(const std::string& folder, const PortalSide& side) {
   return portalImageFolder(folder, side.portal, side.from_front);
 }
 
+std::string nameOf(const PortalSide& side) {
+  return fs::path(folderOf({}, side)).filename().string();
+}
+
 std::string recordOf(const std::string& folder, const PortalSide& side) {
-  return folder + "/sides/" + fs::path(folderOf(folder, side)).filename().string();
+  return folder + "/sides/" + nameOf(side);
 }
 
 void remove(const std::string& path) noexcept {
@@ -50,7 +54,7 @@ SideFolder::SideFolder(const std::string& folder, const PortalSide& side)
 SideFolder::~SideFolder() { remove(part_); }
 
 void SideFolder::commit() const {
-  std::string record;
+  std::string record = nameOf(side_) + "\n";
   for (const auto& entry : fs::directory_iterator(part_)) {
     record += checksumOfFile(entry.path().string()) + " " + entry.path().filename().string() + "\n";
   }
@@ -72,13 +76,14 @@ std::optional<HouseFiles> bakedFiles(const std::string& folder, const PortalSide
   try {
     const std::vector<std::uint8_t> record = readFile(recordOf(folder, side));
     std::istringstream lines(std::string(record.begin(), record.end()));
-    std::string checksum, file;
+    std::string of, checksum, file;
+    lines >> of;
     while (lines >> checksum && checksum != kEnd && lines >> file) {
       const std::vector<std::uint8_t> bytes = readFile(folderOf(folder, side) + "/" + file);
       if (checksumText(fileChecksum(bytes)) != checksum) return std::nullopt;
       files[portalImageName(side.portal, side.from_front, file)] = fileChecksum(bytes);
     }
-    if (checksum == kEnd) return files;
+    if (of == nameOf(side) && checksum == kEnd && !files.empty()) return files;
   } catch (const Error&) {
     // A file that is gone is one that is not as it was recorded.
   }

@@ -6,7 +6,7 @@
 
 #include "portals/house_json.h"
 #include "preprocess/bake_images.h"
-#include "preprocess/house_folder.h"
+#include "preprocess/house_entries.h"
 #include "preprocess/house_swap.h"
 #include "preprocess/side_folder.h"
 #include "scene/durable.h"
@@ -24,7 +24,7 @@ std::string finishedFile(const std::string& path) { return path + "/finished.jso
 std::string imagesFolder(const std::string& path) { return path + "/images"; }
 
 std::string textOf(const std::string& file) {
-  const std::vector<std::uint8_t> bytes = readFile(file);
+  const std::vector<std::uint8_t> bytes = readFile(file, kMostTextBytes);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -78,8 +78,7 @@ bool UnfinishedHouse::isOfThisJob() const {
 
 std::optional<House> UnfinishedHouse::takeUp(const std::function<void(const std::string&)>& note) {
   if (!exists(path_)) return std::nullopt;
-  refuseOtherThings(path_, {"job.json", "cells.grid", "geometry.glb", "house.json", "images",
-                            "sides", "finished.json", "replaced"});
+  refuseOtherThings(path_, unfinishedEntries());
   ours_ = true;
   std::string why;
   try {

@@ -95,6 +95,16 @@ std::string textOfPose(const TimedPose& timed, const char* format) {
 
 }  // namespace
 
+void setFieldOfView(const std::string& file, const std::string& place, double degrees,
+                    CameraPath& path) {
+  constexpr double kLeast = 1, kMost = 170, kRounding = 1e-4;
+  if (!(degrees > kLeast - kRounding && degrees < kMost + kRounding)) {
+    fail(file,
+         fmt::format("{} is {:.4g} degrees, not from {} to {}", place, degrees, kLeast, kMost));
+  }
+  path.vertical_fov = static_cast<float>(glm::radians(degrees));
+}
+
 void appendPose(const std::string& file, const std::string& place, TimedPose pose,
                 CameraPath& path) {
   glm::quat& q = pose.pose.world_from_camera_rotation;
@@ -124,10 +134,8 @@ CameraPath readTour(const std::string& file, const json& root) {
   if (root.contains("name") && root["name"].is_string()) path.name = root["name"];
   if (root.contains("vertical_fov_degrees")) {
     const json& fov = root["vertical_fov_degrees"];
-    if (!fov.is_number() || !(fov > 0.0) || !(fov < 180.0)) {
-      fail(file, "\"vertical_fov_degrees\" is not a number between 0 and 180");
-    }
-    path.vertical_fov = static_cast<float>(glm::radians(fov.get<double>()));
+    if (!fov.is_number()) fail(file, "\"vertical_fov_degrees\" is no number");
+    setFieldOfView(file, "\"vertical_fov_degrees\"", fov, path);
   }
   const auto frames = root.find("frames");
   if (frames == root.end() || !frames->is_array() || frames->empty()) {
@@ -174,7 +182,8 @@ CameraPath decodeCameraPath(std::span<const std::uint8_t> bytes, const std::stri
 }
 
 CameraPath readCameraPath(const std::string& file, double frames_per_second) {
-  return decodeCameraPath(readFile(file), file, frames_per_second);
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;  // [bytes]: some million poses
+  return decodeCameraPath(readFile(file, kMost), file, frames_per_second);
 }
 
 void writeCameraPath(const std::string& file, const CameraPath& path) {

@@ -24,7 +24,7 @@ struct DoorEvent {
 /// A scripted walk: one pose a frame.
 struct CameraPath {
   std::string name;
-  float vertical_fov = 1.047f;  ///< [rad] 0…π, neither of them
+  float vertical_fov = 1.047f;  ///< [rad] of 1° to 170°
   std::vector<TimedPose> poses;
   std::vector<DoorEvent> doors;
 };

@@ -77,11 +77,8 @@ CameraPath readAnimatedCamera(std::span<const std::uint8_t> bytes, const std::st
   CameraPath path;
   path.name = gltf->nodes[static_cast<std::size_t>(camera.chain.front())].name;
   if (path.name.empty()) path.name = std::filesystem::path(file).stem().string();
-  const double fov = camera.camera->perspective.yfov;
-  if (!(fov > 0.0) || !(fov < glm::pi<double>())) {
-    gltf.fail("has a camera whose yfov is not between 0 and pi");
-  }
-  path.vertical_fov = static_cast<float>(fov);
+  setFieldOfView(file, "the yfov of its camera", glm::degrees(camera.camera->perspective.yfov),
+                 path);
 
   const auto [begin, end] = animation.timeRange(camera.chain);
   // A hair more, so that rounding, of keys in 32 bits too, does not cost the last frame.

@@ -47,9 +47,10 @@ CameraPath readTum(const std::string& file, std::string_view text) {
   CameraPath path;
   path.name = std::filesystem::path(file).stem().string();
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const bool two = text.substr(end).starts_with("\r\n");
+    text.remove_prefix(std::min(end + (two ? 2 : 1), text.size()));
     const std::size_t start = line.find_first_not_of(kBlank);
     if (start == std::string_view::npos || line[start] == '#') continue;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -92,8 +93,39 @@ bool writeWhole(const std::string& file, std::span<const std::uint8_t> bytes) {
   return fd.get() >= 0 && writeAll(fd.get(), bytes) && fd.close();
 }
 
+// The names of the temporary files that are being written, for a signal's handler.
+std::array<std::atomic<const char*>, 64> half_written{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+/// Has a file known as half written while it lives; of very many at once not all.
+class HalfWritten {
+ public:
+  explicit HalfWritten(const std::string& file) {
+    for (auto& slot : half_written) {
+      const char* none = nullptr;
+      if (!slot.compare_exchange_strong(none, file.c_str())) continue;
+      slot_ = &slot;
+      return;
+    }
+  }
+  ~HalfWritten() {
+    if (slot_ != nullptr) *slot_ = nullptr;
+  }
+  HalfWritten(const HalfWritten&) = delete;
+  HalfWritten& operator=(const HalfWritten&) = delete;
+
+ private:
+  std::atomic<const char*>* slot_ = nullptr;
+};
+
 [[noreturn]] void failWrite(const std::string& file, const std::string& reason) {
   throw Error(ErrorKind::kMachine, file, "cannot be written: " + reason);
+}
+
+/// Whoever might read or write an older file may the new one.
+void keepMode(const std::string& file, const std::string& temporary) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0) ::chmod(temporary.c_str(), status.st_mode & 07777);
 }
 
 /// The first of FILE.tmp-PID, FILE.tmp-PID-1, ... that `create` does not find there already.
@@ -113,6 +145,12 @@ std::string createNew(const std::string& file, Create&& create) {
 
 }  // namespace
 
+void removeHalfWrittenFiles() noexcept {
+  for (const auto& slot : half_written) {
+    if (const char* file = slot; file != nullptr) ::unlink(file);
+  }
+}
+
 std::string createTemporary(const std::string& file) {
   return createNew(file, [](const char* name) {
     const int fd = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -124,7 +162,13 @@ std::string createTemporaryFolder(const std::string& folder) {
   return createNew(folder, [](const char* name) { return ::mkdir(name, 0777) == 0; });
 }
 
-std::vector<std::uint8_t> readFile(const std::string& file) {
+std::vector<std::uint8_t> readFile(const std::string& file, std::uint64_t most) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size > most) {
+    throw Error(ErrorKind::kBadInput, file,
+                "is larger than " + std::to_string(most >> 20) + " MiB, too large for what it is");
+  }
   return readFileStart(file, std::numeric_limits<std::size_t>::max());
 }
 
@@ -176,7 +220,10 @@ void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> 
   }
   const std::string target = targetOf(file);
   const std::string temporary = createTemporary(target);
-  if (writeWhole(temporary, bytes) && ::rename(temporary.c_str(), target.c_str()) == 0) return;
+  const HalfWritten half_written(temporary);
+  const bool written = writeWhole(temporary, bytes);
+  if (written) keepMode(target, temporary);
+  if (written && ::rename(temporary.c_str(), target.c_str()) == 0) return;
   const std::string reason = systemReason();
   ::unlink(temporary.c_str());
   failWrite(file, reason);

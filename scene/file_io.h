@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,8 +10,12 @@
 namespace enfilade {
 
 /// The whole file.  Throws Error (kBadInput): "no such file", "is a directory", "cannot be read:
-/// …".
-std::vector<std::uint8_t> readFile(const std::string& file);
+/// …", and if it has more than `most` bytes, before it is read.
+std::vector<std::uint8_t> readFile(const std::string& file,
+                                   std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+
+/// What a file of text of a kind that people write, or look into, has at most [bytes].
+inline constexpr std::uint64_t kMostTextBytes = std::uint64_t{64} << 20;
 
 /// Its first `most` bytes, or all if there are fewer.  Throws as readFile() does.
 std::vector<std::uint8_t> readFileStart(const std::string& file, std::size_t most);
@@ -35,6 +40,10 @@ std::string createTemporaryFolder(const std::string& folder);
 /// Throws Error (kMachine) with the system's reason, and leaves no temporary file behind.
 void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> bytes);
 void writeFileAtomically(const std::string& file, const std::string& text);
+
+/// Removes the temporary files of what writeFileAtomically() is writing, for a program that is
+/// about to be ended by a signal: may be called in a handler of one.
+void removeHalfWrittenFiles() noexcept;
 
 /// Creates `folder` and its parents.  Throws Error (kMachine) with the system's reason.
 void createFolders(const std::string& folder);

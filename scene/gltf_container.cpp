@@ -10,6 +10,7 @@
 
 #include "scene/error.h"
 #include "scene/file_format.h"
+#include "scene/gltf_values.h"
 #include "scene/json_depth.h"
 
 namespace enfilade {
@@ -157,6 +158,7 @@ json parseGltfContainer(const std::string& file, std::span<const std::uint8_t> b
   }
   json root = parseJson(file, text);
   checkShape(file, root);
+  requireSoundGltfValues(file, root);
   checkRequiredExtensions(file, root);
   const json used = root.value("extensionsUsed", json::array());
   for (const char* ignored : {"EXT_mesh_gpu_instancing", "KHR_node_visibility"}) {

@@ -39,6 +39,13 @@ ObjText takeLibraries(std::span<const std::uint8_t> bytes) {
   for (std::size_t i = 0; i + 1 < obj.text.size(); ++i) {  // lines that end as on old Macintoshes
     if (obj.text[i] == '\r' && obj.text[i + 1] != '\n') obj.text[i] = '\n';
   }
+  for (std::size_t i = obj.text.find('\\'); i != std::string::npos;
+       i = obj.text.find('\\', i + 1)) {  // lines that go on in the next
+    const std::size_t end = obj.text[std::min(i + 1, obj.text.size() - 1)] == '\r' ? i + 2 : i + 1;
+    if (end < obj.text.size() && obj.text[end] == '\n') {
+      obj.text.replace(i, end + 1 - i, end + 1 - i, ' ');
+    }
+  }
   if (obj.text.starts_with("\xef\xbb\xbf")) obj.text.replace(0, 3, "   ");
   for (std::size_t at = 0; at < obj.text.size();) {
     const std::size_t end = std::min(obj.text.find('\n', at), obj.text.size());
@@ -358,7 +365,8 @@ Building readObj(const std::string& file, Warnings* warnings) {
     const std::size_t folder = name.find_last_of("/\\");
     return bytes || folder == std::string::npos ? bytes : inside(name.substr(folder + 1));
   };
-  return parseObj(readFile(file), file, beside, warnings);
+  constexpr std::uint64_t kMost = std::uint64_t{4} << 30;  // [bytes]: it takes five times as many
+  return parseObj(readFile(file, kMost), file, beside, warnings);
 }
 
 }  // namespace enfilade

@@ -1,6 +1,9 @@
 #include "scene/warning_log.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "scene/printable.h"
 
 namespace enfilade {
 
@@ -35,9 +38,7 @@ std::string oneLine(const std::string& text, std::size_t length) {
     }
     line += "...";
   }
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return line;
+  return printable(std::move(line));
 }
 
 }  // namespace enfilade

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/interruption.h"
 #include "app/stopwatch.h"
 #include "portals/open_doors.h"
 
@@ -71,7 +72,7 @@ void Viewer::run() {
   Stopwatch watch;
   bool idle = true;
   GamepadState pad = window_.gamepad();
-  while (!window_.shouldClose()) {
+  while (!window_.shouldClose() && !Interruption::asked()) {
     const double wait = !idle ? 0 : pad.there ? kGamepadWait : kIdleWait;
     const bool toasted = toast_.shows();
     for (const WindowEvent& event : window_.takeEvents(wait)) take(event);

@@ -36,8 +36,12 @@ class Viewer {
   /// Throws Error (kMachine).  All must outlive it.
   Viewer(GlfwWindow& window, WalkableHouse& walkable, const ViewOptions& options);
 
-  /// Until the window is closed.
+  /// Until the window is closed, or the program is asked to end (see Interruption).
   void run();
+
+  /// Ends the recording and keeps its path, if one is being recorded.  What became of it, for a
+  /// person; nothing if nothing was recorded.
+  std::optional<std::string> keepRecording();
 
   /// What is to be remembered.
   ViewSettings settings() const;

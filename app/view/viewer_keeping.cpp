@@ -18,22 +18,25 @@ void Viewer::toggleRecording() {
     recorder_->addDoors(clock_, open_);
     return toast_.say("Recording; R again keeps the path");
   }
-  path_ = recorder_->path();
+  const std::optional<std::string> kept = keepRecording();
+  toast_.say(kept ? *kept + "; T plays them" : "Nothing was recorded");
+}
+
+std::optional<std::string> Viewer::keepRecording() {
+  if (!recorder_) return std::nullopt;
+  CameraPath path = recorder_->path();
   recorder_.reset();
-  if (path_->poses.empty()) {
-    path_.reset();
-    return toast_.say("Nothing was recorded");
-  }
+  if (path.poses.empty()) return std::nullopt;
+  path_ = std::move(path);
   const std::string name = keepName("");
   try {
     writeCameraPath(name + ".json", *path_);
     writeTumPath(name + ".tum", *path_);
     writeGltfPath(name + ".gltf", *path_);
-    toast_.say(fmt::format("{} frames kept as {}.json, .tum and .gltf; T plays them",
-                           path_->poses.size(), name));
   } catch (const Error& error) {
-    toast_.say(error.what());
+    return error.what();
   }
+  return fmt::format("{} frames kept as {}.json, .tum and .gltf", path_->poses.size(), name);
 }
 
 void Viewer::toggleTour() {

@@ -192,6 +192,27 @@ TEST_F(BadInput, ASizeThatIsNone) {
   }
 }
 
+TEST_F(BadInput, AnOptionThatIsGivenTwice) {
+  expectRefusal({"play", "house", "-o", "new", "--methods", "culling", "--methods", "ldi"}, 1,
+                "--methods is given twice; see 'enfilade play --help'");
+}
+
+TEST_F(BadInput, AnOutputThatWouldReplaceTheHouseThatIsPlayed) {
+  for (const char* option : {"-o", "--video", "--frames-dir"}) {
+    for (const char* output : {"house", "house/images", "house/geometry.glb"}) {
+      expectRefusal({"play", "house", option, output}, 1,
+                    std::string(output) + ": would be replaced, and is read");
+    }
+  }
+}
+
+TEST_F(BadInput, APlanThatIsBroken) {
+  writeText(here_ / "plan.json", R"({"enfilade":"plan")");
+  before_ = here_.tree();
+  expectRefusal({"sample", "plan.json", "-o", "new.glb"}, 2,
+                "plan.json: is not JSON: parse error at line 1, column 19");
+}
+
 TEST_F(BadInput, ANameThatIsEmpty) {
   const auto refuse = [&](Arguments arguments, const char* option) {
     arguments.insert(arguments.end(), {option, ""});

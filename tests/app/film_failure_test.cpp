@@ -29,7 +29,7 @@ TEST_F(FilmFailure, ThatFfmpegCannotMakeSaysWhatFfmpegSays) {
 }
 
 TEST_F(FilmFailure, LeavesNothingWhenItIsStopped) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) {
     const auto before = here_->tree();
     const TemporaryFolder streams;
     const pid_t child = fork();

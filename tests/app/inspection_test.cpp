@@ -29,6 +29,21 @@ TEST(Inspection, CountsWhatIsInABuilding) {
   EXPECT_FALSE(facts.bounds.empty());
 }
 
+TEST(Inspection, NamesCannotCommandATerminalNorForgeLines) {
+  House house = twoRoomHouse();
+  const std::string evil = "\x1b[31mroom\n  nothing looks wrong\u009b";
+  house.graph.cells[1].name = house.graph.storeys[0].name = house.graph.portals[0].name = evil;
+  house.info.model_name = house.building.copyright = evil;
+  house.info.log = {evil};
+  for (const std::string& text :
+       {houseText("house", house, {}), modelText("model.glb", house.building, {evil})}) {
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.find("\u009b"), std::string::npos);
+    EXPECT_EQ(text.find("\n  nothing looks wrong"), std::string::npos);
+    EXPECT_NE(text.find(" [31mroom   nothing looks wrong "), std::string::npos);
+  }
+}
+
 TEST(Inspection, AMeshThatLacksATriangleIsOpen) {
   House house = twoRoomHouse();
   Mesh& mesh = house.building.meshes[0];
@@ -62,6 +77,7 @@ TEST(Inspection, NamesTheCellsAndPortalsThatLookWrong) {
   EXPECT_TRUE(anyHolds(problems, "has no volume"));
   EXPECT_TRUE(anyHolds(problems, "sees no object"));
   EXPECT_TRUE(anyHolds(problems, "portal 0 is shut"));
+  EXPECT_TRUE(anyHolds(problems, "no door stands in portal 0: shut"));
 }
 
 TEST(Inspection, NamesInJsonMayHoldAnything) {

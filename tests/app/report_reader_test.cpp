@@ -166,7 +166,8 @@ TEST_F(ReportReader, SummariesThatAreDeepOrOfOtherShapesDoNoHarm) {
 
 TEST_F(ReportReader, RefusesAHugeFileWithoutReadingIt) {
   std::filesystem::resize_file(here_ / "frames.csv", std::uintmax_t{65} << 20);  // sparse
-  EXPECT_EQ(complaint(), here_ / "frames.csv" + ": is larger than 64 MiB, too large for a report");
+  EXPECT_EQ(complaint(),
+            here_ / "frames.csv" + ": is larger than 64 MiB, too large for what it is");
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ TEST(StagedFolder, IsNotThereUntilItIsComplete) {
     StagedFolder staged(here / "report", kKind);
     writeText(staged.path() + "/proof", "new");
     EXPECT_FALSE(std::filesystem::exists(here / "report"));
+    EXPECT_EQ(staged.asCommitted(staged.path() + "/proof: no room"),
+              here / "report" + "/proof: no room");
     staged.commit();
   }
   EXPECT_EQ(here.names(), Names{"report"});

@@ -64,6 +64,8 @@ int BackgroundProcess::wait(double seconds) {
   return status_;
 }
 
+void BackgroundProcess::send(int signal) const { kill(pid_, signal); }
+
 bool VirtualScreen::available() {
   return std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") == 0;
 }

@@ -22,6 +22,7 @@ class BackgroundProcess {
   /// still runs.
   int wait(double seconds);
   bool runs() { return wait(0) == -1; }
+  void send(int signal) const;
 
  private:
   pid_t pid_ = -1;

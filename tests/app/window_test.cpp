@@ -1,7 +1,9 @@
 // The window, as a person has it: on a screen that nobody sees, by keys and a mouse.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
@@ -134,6 +136,38 @@ TEST_F(Window, KeepsThePictureThatPlayPaints) {
     EXPECT_GT(psnr(kept, truth), 60) << method.name;
   }
   quit();
+}
+
+TEST_F(Window, KeepsTheWalkThatIsBeingRecordedHoweverItEnds) {
+  const auto walkAndEnd = [&](const std::function<void()>& end, int status) {
+    openRooms({});
+    act("key r sleep 0.3 keydown w sleep 0.3 keyup w");
+    end();
+    EXPECT_EQ(view_->wait(kPatience), status) << textOf(kept_ / "log");
+    const std::vector<std::string> files = keptFiles(".json", 1);
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_GT(readCameraPath(files.front()).poses.size(), 2u);
+    EXPECT_NE(textOf(kept_ / "log").find("frames kept as " + kept_.path()), std::string::npos)
+        << textOf(kept_ / "log");
+    std::filesystem::remove(files.front());
+  };
+  walkAndEnd([&] { act("key ctrl+q"); }, 0);
+  walkAndEnd([&] { view_->send(SIGTERM); }, 128 + SIGTERM);
+  EXPECT_TRUE(std::filesystem::exists(kept_ / "enfilade/view.json"));
+}
+
+TEST_F(Window, EndsAsOfAMachineThatCannotWhenTheDisplayIsGone) {
+  auto screen = std::make_unique<VirtualScreen>(800, 600, kept_.path());
+  ASSERT_FALSE(screen->display().empty());
+  std::swap(screen, screen_);
+  openRooms({});
+  act("key r sleep 0.3 keydown w sleep 0.3 keyup w");
+  std::swap(screen, screen_);
+  screen.reset();
+  EXPECT_EQ(view_->wait(kPatience), 3) << textOf(kept_ / "log");
+  EXPECT_NE(textOf(kept_ / "log").find("enfilade: window: the display is gone\n"),
+            std::string::npos);
+  EXPECT_EQ(keptFiles(".json", 1).size(), 1u);
 }
 
 TEST_F(Window, UnderALimitOnMemoryItShowsTheImagesThatFitOnceTheyAreThere) {

@@ -173,7 +173,7 @@ TEST_F(AnimatedCamera, RejectsAnAnimatedNodeWithAMatrix) {
 TEST_F(AnimatedCamera, RejectsAFieldOfViewThatCannotBe) {
   animate(1, "translation", {0, 1}, {0, 0, 0, 2, 0, 0}, "LINEAR");
   builder_.root["cameras"][0]["perspective"]["yfov"] = 4.0;
-  expectBad("yfov is not between 0 and pi");
+  expectBad("the yfov of its camera is 229.2 degrees, not from 1 to 170");
 }
 
 TEST_F(AnimatedCamera, RejectsAnAnimationThatIsTooLongToSample) {

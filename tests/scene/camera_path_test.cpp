@@ -82,6 +82,15 @@ TEST_F(CameraPaths, AreTheSameAfterWritingAndReadingAsTum) {
   expectSamePoses(back, walk());
 }
 
+TEST_F(CameraPaths, ReadTumOfAnyLineEnds) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string pose = " 0 0 0 0 0 0 1" + end;
+    const std::string text = "# comment" + end + "1" + pose + end + "2" + pose;
+    EXPECT_EQ(readCameraPath(folder_.file("t", text)).poses.size(), 2u);
+    expectBad(text + "3", "line 5 is not the eight numbers");
+  }
+}
+
 TEST_F(CameraPaths, AreToldApartByContentNotByName) {
   writeTumPath(folder_ / "tum.json", walk());
   writeCameraPath(folder_ / "tour.txt", walk());
@@ -173,10 +182,10 @@ TEST_F(CameraPaths, RejectDoorsThatMoveWithoutEnd) {
 }
 
 TEST_F(CameraPaths, RejectAFieldOfViewThatCannotBe) {
-  for (const char* fov : {"0", "180", "-5", "\"wide\""}) {
+  for (const char* fov : {"0", "180", "-5", "1e-300", "0.99", "170.1", "\"wide\""}) {
     expectBad(std::string(R"({"enfilade": "tour", "version": 1, "vertical_fov_degrees": )") + fov +
                   R"(, "frames": [{"t": 1, "p": [0, 0, 0], "q": [0, 0, 0, 1]}]})",
-              "not a number between 0 and 180");
+              "\"vertical_fov_degrees\" is ");
   }
 }
 

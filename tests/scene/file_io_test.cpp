@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -93,6 +95,48 @@ TEST(WriteFileAtomically, KeepsTheOldContentWhenTheNewDoesNotFit) {
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(textOf(folder / "x"), "old");
   EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, LeavesNothingBehindWhereASignalEndsTheProgram) {
+  const TempFolder folder;
+  folder.file("x", "old");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // In the midst of writing.
+    std::signal(SIGXFSZ, [](int) {
+      removeHalfWrittenFiles();
+      ::_exit(7);
+    });
+    const rlimit limit{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    writeFileAtomically(folder / "x", std::string(5000, 'n'));
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(textOf(folder / "x"), "old");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, KeepsWhoMayReadAFile) {
+  const TempFolder folder;
+  const std::string file = folder.file("x", "old");
+  for (const fs::perms perms : {fs::perms(0600), fs::perms(0444)}) {
+    fs::permissions(file, perms);
+    writeFileAtomically(file, std::string("new"));
+    EXPECT_EQ(fs::status(file).permissions(), perms);
+  }
+}
+
+TEST(ReadFile, RejectsOneThatIsTooLargeBeforeReadingIt) {
+  const TempFolder folder;
+  const std::string file = folder.file("x", "1234");
+  fs::resize_file(file, std::uintmax_t{1} << 40);  // but for its start it takes no room
+  expectError([&] { readFile(file, 3 << 20); }, ErrorKind::kBadInput, file,
+              "is larger than 3 MiB, too large for what it is");
+  fs::resize_file(file, 4);
+  EXPECT_EQ(readFile(file, 4).size(), 4u);
 }
 
 TEST(WriteFileAtomically, TellsThatTheDiskIsFull) {

@@ -102,6 +102,30 @@ TEST_F(MalformedGltf, RequiredExtensionsThatWeHaveAreNoMatter) {
   EXPECT_EQ(triangleCount(readGltf(folder_.file("model.glb", builder_.glb()))), 1u);
 }
 
+TEST_F(MalformedGltf, NumbersThatTinygltfWouldTakeForNone) {
+  triangle();
+  const Json sound = builder_.root;
+  const auto refuse = [&](const char* pointer, const Json& value, const std::string& words) {
+    builder_.root = sound;
+    builder_.root[Json::json_pointer(pointer)] = value;
+    expectBad("is no valid glTF: " + words);
+  };
+  refuse("/accessors/0/byteOffset", -4, "accessors[0].byteOffset is no whole number");
+  refuse("/accessors/0/byteOffset", 1.5, "accessors[0].byteOffset is no whole number");
+  refuse("/bufferViews/0/byteOffset", -1e30, "bufferViews[0].byteOffset is no whole number");
+  refuse("/accessors/0/count", "3", "accessors[0].count is no whole number");
+  refuse("/nodes/0/scale", "abc", "nodes[0].scale is no list of numbers");
+  refuse("/nodes/0/children", "x", "nodes[0].children is no list of indices");
+  refuse("/nodes/0", 7, "nodes[0] is no object");
+  refuse("/scene", 0.5, "scene is no index");
+  refuse("/meshes/0/primitives/0/material", "red", "meshes[0].primitives[0].material is no index");
+  refuse("/materials", {{{"pbrMetallicRoughness", {{"baseColorFactor", "red"}}}}},
+         "materials[0].pbrMetallicRoughness.baseColorFactor is no list of numbers");
+  builder_.root = sound;
+  builder_.root["meshes"][0]["primitives"][0]["material"] = -1;  // as some exporters say none
+  EXPECT_EQ(triangleCount(readGltf(folder_.file("model.glb", builder_.glb()))), 1u);
+}
+
 TEST_F(MalformedGltf, NoTriangles) {
   builder_.add("nodes", {{"name", "empty"}});
   expectBad("holds no triangles");

@@ -50,6 +50,13 @@ TEST_F(ObjReader, ReadsGroupsAndMaterialsAsObjectsOfNodes) {
   EXPECT_TRUE(warnings_.empty()) << warnings_[0];
 }
 
+TEST_F(ObjReader, ReadsLinesThatGoOnInTheNext) {
+  for (const std::string end : {"\n", "\r\n"}) {
+    const Building b = read(kQuad + "f 1 2 \\" + end + " 3 4\nf 1 2 3\n\\");
+    EXPECT_EQ(triangleCount(b), 3u);
+  }
+}
+
 TEST_F(ObjReader, SharesCornersThatAreTheSameAndMakesMissingNormalsFlat) {
   const Building smooth = read(kQuad + "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
   EXPECT_EQ(smooth.vertex_arrays[0].positions.size(), 4u);
