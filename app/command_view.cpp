@@ -103,13 +103,13 @@ void runView(const ViewArguments& arguments, const CommandContext& context) {
                      .size = {settings.width, settings.height},
                      .full_screen = settings.fullscreen,
                      .threads = options.threads});
-  onLostDisplay([] { printError("window: the display is gone"); });
+  const LastWords last_words([] { printError("window: the display is gone"); });
   const std::unique_ptr<WalkableHouse> walkable = loadBehindWindow(window, options);
   if (!walkable) return;
   Viewer viewer(window, *walkable, options);
   window.setTitle("Enfilade: " + std::filesystem::path(options.house).filename().string());
   const Interruption interruption;
-  onLostDisplay([&] {
+  const LastWords of_viewer([&] {
     printError("window: the display is gone");
     sayWhatWasRecorded(viewer);
   });

@@ -9,6 +9,7 @@
 
 #include "portals/graph_values.h"
 #include "portals/grid_file.h"
+#include "portals/house_files.h"
 #include "portals/json_value.h"
 #include "scene/error.h"
 #include "scene/file_io.h"
@@ -136,7 +137,7 @@ GivenGraph decodeGivenGraph(std::span<const std::uint8_t> bytes, const std::stri
 }
 
 GivenGraph readGivenGraph(const std::string& file) {
-  GivenGraph given = decodeGivenGraph(readFile(file, kMostTextBytes), file);
+  GivenGraph given = decodeGivenGraph(readFile(file, kMostHouseJsonBytes), file);
   given.grid = readGridBeside(file);
   return given;
 }

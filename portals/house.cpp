@@ -87,7 +87,7 @@ void writeHouse(const std::string& folder, const House& house) {
 House readHouse(const std::string& folder) {
   requireHouse(folder);
   House house;
-  const std::vector<std::uint8_t> text = readFile(houseJsonFile(folder), kMostTextBytes);
+  const std::vector<std::uint8_t> text = readFile(houseJsonFile(folder), kMostHouseJsonBytes);
   decodeHouseJson(std::string(text.begin(), text.end()), houseJsonFile(folder), house);
   const std::string grid_file = cellGridFile(folder);
   house.grid = decodeGrid(readHouseFile(house, folder, kGrid), grid_file);

@@ -16,6 +16,9 @@ struct House;
 /// "geometry.glb", "images/portal-0000-front/ldi.bin".
 using HouseFiles = std::map<std::string, std::uint64_t>;
 
+/// What a house.json has at most [bytes].
+inline constexpr std::uint64_t kMostHouseJsonBytes = std::uint64_t{1} << 30;
+
 /// Paths of the files in a house folder.
 std::string houseJsonFile(const std::string& folder);
 std::string geometryFile(const std::string& folder);

@@ -24,7 +24,7 @@ std::string finishedFile(const std::string& path) { return path + "/finished.jso
 std::string imagesFolder(const std::string& path) { return path + "/images"; }
 
 std::string textOf(const std::string& file) {
-  const std::vector<std::uint8_t> bytes = readFile(file, kMostTextBytes);
+  const std::vector<std::uint8_t> bytes = readFile(file, kMostHouseJsonBytes);
   return {bytes.begin(), bytes.end()};
 }
 

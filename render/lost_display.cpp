@@ -12,21 +12,18 @@ namespace {
 
 struct Display;  // Xlib's own
 
-std::function<void()>& lastWords() {
-  static std::function<void()> last_words;
-  return last_words;
+std::function<void()>& current() {
+  static std::function<void()> words;
+  return words;
 }
 
 int endProgram(Display*) {
-  if (const auto last_words = std::exchange(lastWords(), nullptr)) last_words();
+  if (const auto words = std::exchange(current(), nullptr)) words();
   _exit(static_cast<int>(ErrorKind::kMachine));
 }
 
-}  // namespace
-
-void onLostDisplay(std::function<void()> last_words) {
-  lastWords() = std::move(last_words);
-  // The one that GLFW has loaded.
+/// Of the Xlib that GLFW has loaded, if it has.
+void handleLostDisplay() {
   void* xlib = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
   if (xlib == nullptr) return;
   using Handler = int (*)(Display*);
@@ -35,5 +32,14 @@ void onLostDisplay(std::function<void()> last_words) {
   if (set != nullptr) set(&endProgram);
   dlclose(xlib);
 }
+
+}  // namespace
+
+LastWords::LastWords(std::function<void()> words)
+    : before_(std::exchange(current(), std::move(words))) {
+  handleLostDisplay();
+}
+
+LastWords::~LastWords() { current() = std::move(before_); }
 
 }  // namespace enfilade

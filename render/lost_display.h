@@ -4,10 +4,19 @@
 
 namespace enfilade {
 
-/// Has `last_words` called when the X server is gone, at which Xlib ends the program itself, with
-/// the exit status of another fault: it is ended by the status of a machine that cannot.  Of what
-/// was set before only the last counts.  `last_words` must not touch the window.  Without Xlib, as
-/// under Wayland, it does nothing.
-void onLostDisplay(std::function<void()> last_words);
+/// What is to be done when the X server goes away, while this lives.  Xlib then ends the program,
+/// by the exit status of a wrong command line: instead it is ended by that of a machine that
+/// cannot. Of several the latest counts.  Without Xlib, as under Wayland, they are never called.
+class LastWords {
+ public:
+  /// `words` must not touch the window.
+  explicit LastWords(std::function<void()> words);
+  ~LastWords();
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+ private:
+  std::function<void()> before_;
+};
 
 }  // namespace enfilade

@@ -220,7 +220,7 @@ void writeFileAtomically(const std::string& file, std::span<const std::uint8_t> 
   }
   const std::string target = targetOf(file);
   const std::string temporary = createTemporary(target);
-  const HalfWritten half_written(temporary);
+  const HalfWritten while_written(temporary);
   const bool written = writeWhole(temporary, bytes);
   if (written) keepMode(target, temporary);
   if (written && ::rename(temporary.c_str(), target.c_str()) == 0) return;

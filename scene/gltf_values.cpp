@@ -75,7 +75,7 @@ class Values {
 
   const json* find(const char* key) const {
     const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
+    return found == object_.end() || found->is_null() ? nullptr : &*found;
   }
 
   std::string at(const char* key) const { return place_.empty() ? key : place_ + "." + key; }
