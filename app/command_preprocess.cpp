@@ -144,7 +144,8 @@ void addImageOptions(CLI::App& command, PreprocessOptions& options) {
       ->group(kGroup);
   command
       .add_option_function<std::string>(
-          "--ldi", [&image](const std::string& name) { image.ldi = ldiMaking(name); },
+          "--ldi",
+          [&image](const std::string& name) { image.ldi = ldiMaking(CLI::detail::to_lower(name)); },
           "How a layered depth image is made: warp captures into one, or raycast, which "
           "keeps what rays of the central view meet and some viewpoint sees")
       ->type_name("HOW")

@@ -84,6 +84,8 @@ ViewOptions optionsOf(const ViewArguments& arguments, const CommandContext& cont
   return options;
 }
 
+void sayDisplayIsGone() { printError("window: the display is gone"); }
+
 /// A walk that is being recorded when the window closes is kept.
 void sayWhatWasRecorded(Viewer& viewer) {
   if (const auto kept = viewer.keepRecording()) printNote(false, *kept);
@@ -103,14 +105,14 @@ void runView(const ViewArguments& arguments, const CommandContext& context) {
                      .size = {settings.width, settings.height},
                      .full_screen = settings.fullscreen,
                      .threads = options.threads});
-  const LastWords last_words([] { printError("window: the display is gone"); });
+  const LastWords last_words(sayDisplayIsGone);
   const std::unique_ptr<WalkableHouse> walkable = loadBehindWindow(window, options);
   if (!walkable) return;
   Viewer viewer(window, *walkable, options);
   window.setTitle("Enfilade: " + std::filesystem::path(options.house).filename().string());
   const Interruption interruption;
   const LastWords of_viewer([&] {
-    printError("window: the display is gone");
+    sayDisplayIsGone();
     sayWhatWasRecorded(viewer);
   });
   viewer.run();

@@ -15,10 +15,8 @@ using nlohmann::json;
 /// The values of one object of a glTF, by the place that it has there.
 class Values {
  public:
-  Values(const std::string& file, std::string place, const json& object)
-      : file_(file), place_(std::move(place)), object_(object) {
-    if (!object_.is_object()) fail(place_, "is no object");
-  }
+  /// All of a glTF.
+  Values(const std::string& file, const json& root) : file_(file), object_(root) {}
 
   void requireWhole(std::initializer_list<const char*> keys) const {
     for (const char* key : keys) {
@@ -54,7 +52,7 @@ class Values {
   /// Calls `check` for the object of that name, if there is one.
   template <typename Check>
   void within(const char* key, Check&& check) const {
-    if (const json* value = find(key)) check(Values(file_, at(key), *value));
+    if (const json* value = find(key)) check(Values(*this, key, kNoList, *value));
   }
 
   /// Calls `check` for each object of the list of that name.
@@ -64,11 +62,19 @@ class Values {
     if (list == nullptr) return;
     if (!list->is_array()) fail(at(key), "is no list");
     for (std::size_t i = 0; i < list->size(); ++i) {
-      check(Values(file_, fmt::format("{}[{}]", at(key), i), (*list)[i]));
+      check(Values(*this, key, i, (*list)[i]));
     }
   }
 
  private:
+  static constexpr std::size_t kNoList = static_cast<std::size_t>(-1);
+
+  /// Of what `key` of `owner` is, or the one of that `number` there.
+  Values(const Values& owner, const char* key, std::size_t number, const json& object)
+      : file_(owner.file_), owner_(&owner), key_(key), number_(number), object_(object) {
+    if (!object_.is_object()) fail(place(), "is no object");
+  }
+
   static bool isWhole(const json& value) { return value.is_number_unsigned(); }
   /// Some exporters write −1 for none.
   static bool isIndex(const json& value) { return isWhole(value) || value == -1; }
@@ -78,21 +84,28 @@ class Values {
     return found == object_.end() || found->is_null() ? nullptr : &*found;
   }
 
-  std::string at(const char* key) const { return place_.empty() ? key : place_ + "." + key; }
+  /// Told only of what is wrong: there may be millions.
+  std::string place() const {
+    if (owner_ == nullptr) return {};
+    return owner_->at(key_) + (number_ == kNoList ? "" : fmt::format("[{}]", number_));
+  }
+  std::string at(const char* key) const { return owner_ == nullptr ? key : place() + "." + key; }
 
   [[noreturn]] void fail(const std::string& place, const std::string& reason) const {
     throw Error(ErrorKind::kBadInput, file_, "is no valid glTF: " + place + " " + reason);
   }
 
   const std::string& file_;
-  std::string place_;
+  const Values* owner_ = nullptr;
+  const char* key_ = nullptr;
+  std::size_t number_ = kNoList;
   const json& object_;
 };
 
 }  // namespace
 
 void requireSoundGltfValues(const std::string& file, const json& root) {
-  const Values gltf(file, "", root);
+  const Values gltf(file, root);
   gltf.requireIndex({"scene"});
   gltf.each("scenes", [](const Values& scene) { scene.requireIndices("nodes"); });
   gltf.each("nodes", [](const Values& node) {

@@ -33,19 +33,27 @@ struct ObjText {
   std::vector<std::string> libraries;  ///< what follows each mtllib
 };
 
+/// Makes one line of those of vertices and faces that end in a backslash and the next; a comment or
+/// a name may end in one too.
+void joinContinuedLines(std::string& text) {
+  bool goes_on = false;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    const std::size_t first = text.find_first_not_of(" \t", at);
+    const bool joins = goes_on || (first < end && (text[first] == 'f' || text[first] == 'v'));
+    const std::size_t last = end > at && text[end - 1] == '\r' ? end - 1 : end;
+    goes_on = joins && end < text.size() && last > at && text[last - 1] == '\\';
+    if (goes_on) text.replace(last - 1, end + 2 - last, end + 2 - last, ' ');
+  }
+}
+
 ObjText takeLibraries(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kWord = "mtllib";
   ObjText obj{{bytes.begin(), bytes.end()}, {}};
   for (std::size_t i = 0; i + 1 < obj.text.size(); ++i) {  // lines that end as on old Macintoshes
     if (obj.text[i] == '\r' && obj.text[i + 1] != '\n') obj.text[i] = '\n';
   }
-  for (std::size_t i = obj.text.find('\\'); i != std::string::npos;
-       i = obj.text.find('\\', i + 1)) {  // lines that go on in the next
-    const std::size_t end = obj.text[std::min(i + 1, obj.text.size() - 1)] == '\r' ? i + 2 : i + 1;
-    if (end < obj.text.size() && obj.text[end] == '\n') {
-      obj.text.replace(i, end + 1 - i, end + 1 - i, ' ');
-    }
-  }
+  joinContinuedLines(obj.text);
   if (obj.text.starts_with("\xef\xbb\xbf")) obj.text.replace(0, 3, "   ");
   for (std::size_t at = 0; at < obj.text.size();) {
     const std::size_t end = std::min(obj.text.find('\n', at), obj.text.size());

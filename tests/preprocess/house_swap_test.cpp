@@ -58,8 +58,9 @@ class HouseSwap : public ::testing::Test {
     return files;
   }
 
-  /// The first `count` of the eight steps of which the change is made.
-  void takeSteps(std::size_t count) {
+  /// As it is after the first `count` of the eight steps of which the change is made.
+  void stopAfter(std::size_t count) {
+    layOut();
     const std::string replaced = replacedFolder(unfinished_);
     const std::array<std::array<std::string, 2>, 8> steps = {
         {{house_ + "/house.json", replaced + "/house.json"},
@@ -82,8 +83,7 @@ class HouseSwap : public ::testing::Test {
 TEST_F(HouseSwap, GoesOnFromEachOfItsSteps) {
   for (std::size_t steps = 0; steps <= 8; ++steps) {
     SCOPED_TRACE(steps);
-    layOut();
-    takeSteps(steps);
+    stopAfter(steps);
     swapHouse(house_, unfinished_);
     EXPECT_EQ(files(), kNew);
   }
@@ -92,12 +92,11 @@ TEST_F(HouseSwap, GoesOnFromEachOfItsSteps) {
 TEST_F(HouseSwap, CanBeTakenBackUntilTheFirstNewPartIsThere) {
   for (std::size_t steps = 0; steps <= 4; ++steps) {
     SCOPED_TRACE(steps);
-    layOut();
-    takeSteps(steps);
+    stopAfter(steps);
     unswapHouse(house_, unfinished_);
     EXPECT_EQ(files(), kOld);
   }
-  takeSteps(5);
+  stopAfter(5);
   unswapHouse(house_, unfinished_);
   EXPECT_EQ(files(), (Files{{"cells.grid", "new"}}));
 }

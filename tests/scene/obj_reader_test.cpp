@@ -54,6 +54,10 @@ TEST_F(ObjReader, ReadsLinesThatGoOnInTheNext) {
   for (const std::string end : {"\n", "\r\n"}) {
     const Building b = read(kQuad + "f 1 2 \\" + end + " 3 4\nf 1 2 3\n\\");
     EXPECT_EQ(triangleCount(b), 3u);
+    const Building thrice = read(kQuad + "f 1 \\" + end + "2 \\" + end + "3\n");
+    EXPECT_EQ(triangleCount(thrice), 1u);
+    const Building comment = read("# C:\\models\\" + end + kQuad + "f 1 2 3\n");
+    EXPECT_EQ(worldBounds(comment).min, glm::vec3(0)) << "the first vertex is no comment";
   }
 }
 
